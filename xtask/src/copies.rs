@@ -186,11 +186,9 @@ fn copy_example(from: &Path, to: &Path) -> Result<()> {
     copy_folder(from, to)?;
     let manifest = to.join("Cargo.toml");
     let text = fs::read_to_string(&manifest).context("an example has a manifest")?;
-    let root = root();
-    let root = root
-        .to_str()
-        .context("the path of the repository is no text")?;
-    fs::write(manifest, with_reflet_in(&text, root)).context("cannot write a manifest")
+    let root = root().into_os_string().into_string();
+    let root = root.ok().context("the path of the repository is no text")?;
+    fs::write(manifest, with_reflet_in(&text, &root)).context("cannot write a manifest")
 }
 
 /// Returns the manifest with the path of reflet replaced by `root`.
@@ -242,10 +240,8 @@ mod tests {
         fs::write(from.join("Cargo.toml"), "path = \"../..\"").unwrap();
         copy_example(&from, &to).unwrap();
         for folder in ["src", ".cargo"] {
-            assert_eq!(
-                fs::read_to_string(to.join(folder).join("file")).unwrap(),
-                folder
-            );
+            let copied = fs::read_to_string(to.join(folder).join("file"));
+            assert_eq!(copied.unwrap(), folder);
         }
         assert!(!to.join("target").exists());
         let manifest = fs::read_to_string(to.join("Cargo.toml")).unwrap();

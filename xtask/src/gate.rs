@@ -422,10 +422,9 @@ mod tests {
     fn step_that_fails_is_named() {
         let steps = [("well", "true"), ("ill", "false")];
         let steps = steps.map(|(name, program)| step(name, Program::new(program)));
-        assert_eq!(
-            format!("{:#}", side_by_side(steps.into()).unwrap_err()),
-            "the step `ill` failed: `false` failed (exit status: 1)"
-        );
+        let error = side_by_side(steps.into()).unwrap_err();
+        let words = "the step `ill` failed: `false` failed (exit status: 1)";
+        assert_eq!(format!("{error:#}"), words);
     }
 
     #[test]

@@ -180,9 +180,7 @@ mod tests {
             without: None,
         };
         let refused = milk.get_if_missing().unwrap_err();
-        assert_eq!(
-            format!("{refused:#}"),
-            "milk: missing; by hand: milk a cow: no cow"
-        );
+        let words = "milk: missing; by hand: milk a cow: no cow";
+        assert_eq!(format!("{refused:#}"), words);
     }
 }

@@ -78,10 +78,8 @@ mod tests {
             ..refused
         };
         let error = meet_all(&[&refused, &welcome, &HERE, &useless]).unwrap_err();
-        assert_eq!(
-            error.to_string(),
-            "setup could not get all the tests need. By hand:\n  \
-             milk: milk a cow\n  sugar: grow a beet"
-        );
+        let words = "setup could not get all the tests need. By hand:\n  \
+                     milk: milk a cow\n  sugar: grow a beet";
+        assert_eq!(error.to_string(), words);
     }
 }

@@ -151,14 +151,9 @@ pub fn build_wasm(package: &Path) -> Result<PathBuf> {
     need::WASM.get_if_missing()?;
     let cargo = Program::new("cargo").args(["build", "--release", "--locked", "--target", WASM]);
     let cargo = cargo.args(["--message-format=json-render-diagnostics"]);
-    let messages = alone(cargo.limit(BUILD_LIMIT), package).read()?;
-    let messages = messages.lines().map(serde_json::from_str::<Value>);
-    let files = messages
-        .flatten()
-        .filter_map(|it| it["filenames"].as_array().cloned());
-    let modules = files
-        .flatten()
-        .filter_map(|it| it.as_str().map(PathBuf::from));
+    let messages = messages(alone(cargo.limit(BUILD_LIMIT), package))?;
+    let files = messages.iter().filter_map(|it| it["filenames"].as_array());
+    let modules = files.flatten().filter_map(Value::as_str).map(PathBuf::from);
     let mut modules = modules.filter(|it| it.extension().is_some_and(|it| it == "wasm"));
     modules.next_back().context("cargo built no WebAssembly")
 }
@@ -225,12 +220,17 @@ fn cargo_build(profile: &str, target: &str) -> Result<Program> {
 
 /// Runs cargo and returns the path of the program, from cargo's messages.
 fn built(cargo: Program) -> Result<PathBuf> {
-    let messages = cargo.read()?;
-    let mut programs = messages.lines().filter_map(|line| {
-        let message: Value = serde_json::from_str(line).ok()?;
-        message["executable"].as_str().map(PathBuf::from)
-    });
+    let messages = messages(cargo)?;
+    let programs = messages.iter().filter_map(|it| it["executable"].as_str());
+    let mut programs = programs.map(PathBuf::from);
     programs.next_back().context("cargo built no program")
+}
+
+/// Runs cargo and returns its messages.
+fn messages(cargo: Program) -> Result<Vec<Value>> {
+    let lines = cargo.read()?;
+    let messages = lines.lines().map(serde_json::from_str);
+    Ok(messages.flatten().collect())
 }
 
 /// Returns the folder with the libraries of `rustc`. It has one folder for each target.
@@ -266,18 +266,13 @@ mod tests {
 
     #[test]
     fn advice_by_hand_names_every_target() {
-        assert!(
-            TARGETS
-                .iter()
-                .all(|target| BARE_METAL_BY_HAND.contains(target))
-        );
+        let is_named = |target: &&str| BARE_METAL_BY_HAND.contains(target);
+        assert!(TARGETS.iter().all(is_named));
     }
 
     #[test]
     fn linker_variable_is_spelt_as_cargo_reads_it() {
-        assert_eq!(
-            linker_variable("thumbv8m.main-none-eabihf"),
-            "CARGO_TARGET_THUMBV8M_MAIN_NONE_EABIHF_LINKER"
-        );
+        let name = linker_variable("thumbv8m.main-none-eabihf");
+        assert_eq!(name, "CARGO_TARGET_THUMBV8M_MAIN_NONE_EABIHF_LINKER");
     }
 }

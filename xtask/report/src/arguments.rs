@@ -7,7 +7,7 @@ use clap::{Parser, value_parser};
 use command_line::{Chosen, parse, size};
 use embedded_graphics::geometry::Size;
 use reflet::scenes;
-use xtask::measure::Core;
+use xtask::measure::{Core, words};
 use xtask::table::filled;
 
 /// Measures what scenes cost and lose under many settings, and writes a report of it.
@@ -61,16 +61,11 @@ impl Arguments {
         if let Some(name) = &self.chosen.name {
             command += &format!(" --scene {name}");
         }
-        command += &format!(" --core {} --size {}", self.core.name, self.size_words());
+        command += &format!(" --core {} --size {}", self.core.name, words(self.size));
         if self.reflections < u8::MAX {
             command += &format!(" --reflections {}", self.reflections);
         }
         command.replace(char::is_control, " ")
-    }
-
-    /// Returns the size as it is written on the command line: `128x128`.
-    pub fn size_words(&self) -> String {
-        format!("{}x{}", self.size.width, self.size.height)
     }
 }
 

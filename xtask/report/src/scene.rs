@@ -10,7 +10,7 @@ use rayon::ThreadPoolBuilder;
 use rayon::prelude::*;
 use reflet::host::compare::compare;
 use reflet::host::reference::{Picture, Shading, render};
-use xtask::measure::{Scene, Size};
+use xtask::measure::Scene;
 use xtask::sweep::{Count, Setting, Sweep};
 
 use crate::arguments::Arguments;
@@ -109,7 +109,7 @@ impl<'a> Plan<'a> {
         let scene = Scene::open(self.path, &arguments.chosen)?;
         let sweep = Sweep {
             core,
-            size: Size::new(arguments.size.width, arguments.size.height),
+            size: arguments.size,
             scenes: vec![(scene, self.settings.clone())],
         };
         let mut counts = Vec::new();

@@ -32,10 +32,8 @@ fn reported(folder: &TempDir, arguments: &str) {
 
 fn rows(folder: &Path) -> Vec<Row> {
     let mut reader = csv::Reader::from_path(folder.join("points.csv")).expect("there is a table");
-    let rows = reader
-        .deserialize()
-        .map(|row| row.expect("a row of the table"));
-    rows.collect()
+    let rows = reader.deserialize();
+    rows.map(|row| row.expect("a row of the table")).collect()
 }
 
 fn number(row: &Row, column: &str) -> f64 {
@@ -74,10 +72,8 @@ fn assert_front_is_monotone(fixed: &[&Row]) {
         by_cost.then(number(a, "psnr").total_cmp(&number(b, "psnr")))
     });
     for pair in front.windows(2) {
-        assert!(
-            number(pair[0], "psnr") <= number(pair[1], "psnr"),
-            "{pair:?}"
-        );
+        let [one, next] = [pair[0], pair[1]].map(|row| number(row, "psnr"));
+        assert!(one <= next, "{pair:?}");
     }
     for row in fixed {
         // The table's numbers are rounded.
@@ -134,10 +130,8 @@ fn table_of_a_scene_has_the_columns_of_the_kept_one() {
     let kept = self::rows(Path::new(REPORT));
     assert!(rows[0].keys().eq(kept[0].keys()));
     let front = fs::read_to_string(made.join("front.rs")).unwrap();
-    assert!(
-        front.contains("pub const CORNER1: ParetoFront = ParetoFront::new(&["),
-        "{front}"
-    );
+    let start = "pub const CORNER1: ParetoFront = ParetoFront::new(&[";
+    assert!(front.contains(start), "{front}");
 }
 
 #[test]

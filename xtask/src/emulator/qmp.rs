@@ -106,13 +106,9 @@ mod tests {
         drop(monitor);
         let asked = serde_json::Deserializer::from_reader(asked).into_iter();
         let asked: Vec<Value> = asked.map(Result::unwrap).collect();
-        assert_eq!(
-            asked,
-            [
-                json!({ "execute": "qmp_capabilities", "arguments": {} }),
-                json!({ "execute": "query-status", "arguments": {} }),
-            ]
-        );
+        let commands = ["qmp_capabilities", "query-status"];
+        let expected = commands.map(|it| json!({ "execute": it, "arguments": {} }));
+        assert_eq!(asked, expected);
     }
 
     #[test]
@@ -122,11 +118,9 @@ mod tests {
             "{\"return\": {}}\n",
             "{\"error\": {\"class\": \"GenericError\", \"desc\": \"no screen\"}}\n",
         ));
-        let refusal = monitor
-            .unwrap()
-            .execute("screendump", json!({}))
-            .unwrap_err();
-        assert_eq!(refusal.to_string(), "QEMU refuses `screendump`: no screen");
+        let refusal = monitor.unwrap().execute("screendump", json!({}));
+        let words = "QEMU refuses `screendump`: no screen";
+        assert_eq!(refusal.unwrap_err().to_string(), words);
     }
 
     #[test]

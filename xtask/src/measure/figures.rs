@@ -4,7 +4,7 @@ use anyhow::{Context, Result};
 use command_line::one_line;
 use serde::{Deserialize, Serialize};
 
-use super::{Weight, outcome::Outcome, task::Task};
+use super::{Weight, outcome::Outcome, pixels, task::Task, words};
 use crate::table::{cell, rounded};
 
 /// One row. In JSON the keys are the names of the fields.
@@ -42,7 +42,7 @@ impl Figures {
         Self {
             core: task.core.name.to_owned(),
             scene: task.scene.name().to_owned(),
-            size: settings.size.to_string(),
+            size: words(settings.size),
             reflections: settings.reflections,
             shading: settings.shading.name().to_owned(),
             quality: settings.quality.name().to_owned(),
@@ -70,7 +70,7 @@ impl Figures {
 
 pub(super) fn per_pixel(task: &Task, outcome: &Outcome) -> f64 {
     let instructions = outcome.instructions() as f64;
-    rounded(instructions / task.settings.size.pixels() as f64, 1)
+    rounded(instructions / pixels(task.settings.size) as f64, 1)
 }
 
 pub fn table(rows: &[Figures]) -> String {

@@ -30,13 +30,14 @@ pub mod yardstick;
 
 use anyhow::Result;
 use command_line::json_line;
+pub use embedded_graphics::geometry::Size;
 
 pub use self::cores::{CORES, Core};
 pub(crate) use self::firmware::fingerprint;
 pub use self::firmware::{RUN_LIMIT, Weight, is_counted, weigh, weight, with_program};
 pub use self::images::sources;
 pub use self::outcome::{Outcome, run as outcome};
-pub use self::task::{Quality, Settings, Shading, Size, Task};
+pub use self::task::{Quality, Settings, Shading, Task, pixels, words};
 pub use self::{arguments::Arguments, figures::Figures, scene::Scene};
 use crate::cycles::{self, Estimate};
 use crate::print;

@@ -102,10 +102,8 @@ mod tests {
 
     #[test]
     fn move_is_found_in_what_the_firmware_says() {
-        assert_eq!(
-            moved("noise\nmoved instructions=00000000000000ff\nmeasured a=1"),
-            Some(255)
-        );
+        let said = "noise\nmoved instructions=00000000000000ff\nmeasured a=1";
+        assert_eq!(moved(said), Some(255));
         assert_eq!(moved("measured instructions=00ff"), None);
     }
 }

@@ -3,10 +3,11 @@
 use anyhow::Result;
 use serde::{Deserialize, Serialize};
 
+use super::Size;
 use super::cores::CORES;
 use super::moving::{MovingFigures, measure};
 use super::scene::Scene;
-use super::task::{Quality, Size, Task};
+use super::task::{Quality, Task};
 use crate::kept;
 use crate::table::markdown;
 

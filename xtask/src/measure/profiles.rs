@@ -159,6 +159,7 @@ fn whole(number: f64) -> String {
 
 #[cfg(test)]
 mod tests {
+    use super::super::words;
     use super::*;
 
     fn rows(flash: u64) -> Vec<Row> {
@@ -166,7 +167,7 @@ mod tests {
             profile: profile.to_owned(),
             core: "m3".to_owned(),
             scene: scene.to_owned(),
-            size: SIZE.to_string(),
+            size: words(SIZE),
             reflections: 4,
             quality: "fast".to_owned(),
             instructions_per_pixel,

@@ -6,10 +6,11 @@ use std::thread;
 use anyhow::Result;
 use reflet::scenes;
 
+use super::Size;
 use super::cores::{CORES, Core};
 use super::figures::Figures;
 use super::scene::Scene;
-use super::task::{Quality, Size, Task};
+use super::task::{Quality, Task};
 use super::{frames, measure, moving_record, page};
 use crate::{kept, root};
 

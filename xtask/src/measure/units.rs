@@ -5,7 +5,7 @@ use std::path::PathBuf;
 
 use anyhow::{Context, Error, Result, anyhow, ensure};
 use clap::ValueEnum;
-use command_line::{Chosen, Quality as Fixed, Settings, Source};
+use command_line::{Chosen, Quality as Fixed, Settings, Source, size};
 use serde::{Deserialize, Serialize};
 
 use super::figures::aligned;
@@ -47,7 +47,7 @@ impl Shot {
     }
 
     fn size(&self) -> Result<Size> {
-        self.2.parse().map_err(Error::msg)
+        size(&self.2).map_err(Error::msg)
     }
 
     /// Returns the executed instructions of all rows, without the preparation.
@@ -62,7 +62,6 @@ impl Shot {
     fn rays(&self) -> Result<u64> {
         let source = Source::open(&file("scenes"), &self.chosen()).map_err(Error::from_boxed)?;
         let (size, settings) = (self.size()?, Settings::blinn_phong(self.quality()?, self.3));
-        let size = embedded_graphics::geometry::Size::new(size.width, size.height);
         let report = source.draw_rows(&source.camera(), size, settings, &mut |_, _| ());
         Ok(report.rays)
     }
@@ -181,10 +180,7 @@ mod tests {
         let kept = read().unwrap();
         let names = kept.iter().map(|it| &it.unit);
         assert!(names.eq(Unit::all().unwrap().iter().map(|unit| &unit.name)));
-        let page = fs::read_to_string(page()).unwrap();
-        assert!(
-            page == text(&kept).unwrap(),
-            "docs/internals/units.md is old"
-        );
+        let is_new = fs::read_to_string(page()).unwrap() == text(&kept).unwrap();
+        assert!(is_new, "docs/internals/units.md is old");
     }
 }
