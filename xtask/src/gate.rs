@@ -12,7 +12,7 @@ use std::{
     time::{Duration, Instant},
 };
 
-use anyhow::{Context, Result, anyhow};
+use anyhow::{Context, Result};
 use clap::Args;
 
 use crate::{
@@ -102,19 +102,15 @@ pub fn run(arguments: Arguments) -> Result<()> {
     }
     times.extend(side_by_side(steps)?);
     println!("\n== all steps: seconds on the clock, and of the processor");
-    let mut sum = Duration::ZERO;
-    for Taken {
-        name,
-        clock,
-        processor,
-    } in &times
-    {
-        sum += *processor;
-        let [clock, processor] = [clock, processor].map(Duration::as_secs_f64);
+    let processor = times.iter().map(|taken| taken.seconds[1]).sum();
+    let all = Taken {
+        name: "all".to_owned(),
+        seconds: [start.elapsed().as_secs_f64(), processor],
+    };
+    for Taken { name, seconds } in times.iter().chain([&all]) {
+        let [clock, processor] = seconds;
         println!("{clock:>8.1} {processor:>8.1}  {name}");
     }
-    let clock = start.elapsed().as_secs_f64();
-    println!("{clock:>8.1} {:>8.1}  all", sum.as_secs_f64());
     println!(
         "\n== firmware and boards: seconds on the clock\n{}",
         ledger::summary()
@@ -126,12 +122,11 @@ pub fn run(arguments: Arguments) -> Result<()> {
     Ok(())
 }
 
-/// A step that has passed, with its time on the clock and its processor time.
+/// A step that has passed, with its seconds on the clock and those of the processor.
 #[derive(Debug)]
 struct Taken {
     name: String,
-    clock: Duration,
-    processor: Duration,
+    seconds: [f64; 2],
 }
 
 /// Runs the steps, [`LANES`] at a time, until all are done or one fails. Returns the times of each
@@ -167,21 +162,12 @@ fn take(Step { name, program }: Step) -> Result<Taken> {
     println!("== begin: {name}\n   {program}");
     let start = Instant::now();
     let watched = program.limit(LIMIT).watch();
-    let (clock, processor) = (start.elapsed(), watched.processor);
-    println!(
-        "\n== {name}: {:.1} s, processor {:.1} s\n{}",
-        clock.as_secs_f64(),
-        processor.as_secs_f64(),
-        watched.said
-    );
-    match watched.outcome {
-        Ok(()) => Ok(Taken {
-            name,
-            clock,
-            processor,
-        }),
-        Err(failure) => Err(anyhow!(failure).context(format!("the step `{name}` failed"))),
-    }
+    let seconds = [start.elapsed(), watched.processor].map(|it| it.as_secs_f64());
+    let ([clock, processor], said) = (seconds, watched.said);
+    println!("\n== {name}: {clock:.1} s, processor {processor:.1} s\n{said}");
+    let failed = || format!("the step `{name}` failed");
+    watched.outcome.with_context(failed)?;
+    Ok(Taken { name, seconds })
 }
 
 fn step(name: &str, program: Program) -> Step {

@@ -5,7 +5,7 @@ use std::sync::Mutex;
 
 use anyhow::{Context, Result, ensure};
 
-use crate::{apt, command::Program, fuzz, toolchain};
+use crate::{apt, command::Program, toolchain};
 
 /// A program or library outside the repository.
 #[derive(Debug)]
@@ -77,7 +77,7 @@ pub static BARE_METAL: Need = Need {
 
 pub static CPP_COMPILER: Need = Need {
     name: "C++ compiler, for the fuzzer",
-    is_there: fuzz::compiles_cpp,
+    is_there: || runs("c++"),
     get: || apt::install(&["g++"]),
     by_hand: "as root: apt-get install g++",
     without: None,

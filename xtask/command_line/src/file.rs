@@ -35,7 +35,6 @@ impl OutputFile {
     /// file already, `write` replaces it.
     ///
     /// # Errors
-    ///
     /// Fails if nothing can be written there.
     pub fn at(path: &Path) -> Result<Self, Failure> {
         let shown = shown(path);
@@ -64,7 +63,6 @@ impl OutputFile {
     /// Tests that a PNG file can be written at `path`, or standard output if `path` is `-`.
     ///
     /// # Errors
-    ///
     /// Fails like [`OutputFile::at`], and if the name has the extension of another format.
     pub fn png_at(path: &Path) -> Result<Self, Failure> {
         Self::in_format(path, "png", "pictures")
@@ -73,7 +71,6 @@ impl OutputFile {
     /// Tests that a GIF file can be written at `path`, or standard output if `path` is `-`.
     ///
     /// # Errors
-    ///
     /// Fails like [`OutputFile::png_at`].
     pub fn gif_at(path: &Path) -> Result<Self, Failure> {
         Self::in_format(path, "gif", "films")
@@ -95,7 +92,6 @@ impl OutputFile {
     /// `NAME-2.png`, `NAME-3.png` and so on.
     ///
     /// # Errors
-    ///
     /// Fails if no file can be created there.
     pub fn free_png(path: &Path) -> Result<Self, Failure> {
         let failed = |error| not_written(path, &error);
@@ -152,7 +148,6 @@ pub fn are_same_file(one: &Path, other: &Path) -> bool {
 /// Prints the bytes on standard output. A closed pipe is no error.
 ///
 /// # Errors
-///
 /// Fails if standard output cannot be written for another reason.
 pub fn print(bytes: impl AsRef<[u8]>) -> Result<(), Failure> {
     let mut output = io::stdout().lock();

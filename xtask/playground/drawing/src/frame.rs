@@ -62,21 +62,19 @@ impl Frame {
             self.report = self.report.merge(report);
             for (sum, samples) in sums.iter_mut().zip(self.samples.chunks(smooth as usize)) {
                 for sample in samples {
-                    let [red, green, blue] = *sum;
-                    *sum = [
-                        red + u32::from(sample.r()),
-                        green + u32::from(sample.g()),
-                        blue + u32::from(sample.b()),
-                    ];
+                    let parts = [sample.r(), sample.g(), sample.b()];
+                    let parts = sum.iter_mut().zip(parts);
+                    parts.for_each(|(sum, part)| *sum += u32::from(part));
                 }
             }
         }
         let count = smooth * smooth;
         // An average of bytes is a byte.
         let average = |sum: u32| ((sum + count / 2) / count) as u8;
-        let color =
-            |[red, green, blue]: [u32; 3]| Rgb888::new(average(red), average(green), average(blue));
-        sums.into_iter().map(color).collect()
+        let colors = sums.into_iter().map(|sum| sum.map(average));
+        colors
+            .map(|[red, green, blue]| Rgb888::new(red, green, blue))
+            .collect()
     }
 
     pub fn report(&self) -> &Report {
@@ -94,10 +92,8 @@ impl Frame {
             return None;
         }
         let mut hash = FrameHash::NONE;
-        self.drawn
-            .iter()
-            .flatten()
-            .for_each(|pixel| hash.add(*pixel));
+        let pixels = self.drawn.iter().flatten();
+        pixels.for_each(|pixel| hash.add(*pixel));
         Some(hash.value())
     }
 }
