@@ -132,10 +132,8 @@ fn page(pictures: &[Picture]) -> Result<String> {
         pictures.len()
     )?;
     for (index, name) in NAMES.iter().enumerate().take(QUALITIES.len()) {
-        let near = pictures
-            .iter()
-            .filter(|it| it.is_as_near_as_single_precision(index))
-            .count();
+        let is_near = |it: &&Picture| it.is_as_near_as_single_precision(index);
+        let near = pictures.iter().filter(is_near).count();
         writeln!(page, "- `{name}`: {near}")?;
     }
     Ok(page)

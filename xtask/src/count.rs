@@ -32,11 +32,8 @@ pub fn run() -> Result<()> {
             "packages that `cargo run --release --example render` compiles, this one included",
         ),
     ];
-    print(
-        figures
-            .map(|(count, rule)| format!("{count:>6}  {rule}\n"))
-            .concat(),
-    )
+    let lines = figures.map(|(count, rule)| format!("{count:>6}  {rule}\n"));
+    print(lines.concat())
 }
 
 /// Returns the paths of the files that git tracks and that match a pattern.

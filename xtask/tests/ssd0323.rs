@@ -6,10 +6,8 @@ mod ssd0323;
 
 use std::{cell::RefCell, rc::Rc};
 
-use embedded_graphics::Pixel;
-use embedded_graphics::draw_target::DrawTarget;
-use embedded_graphics::geometry::{Point, Size};
 use embedded_graphics::pixelcolor::Gray4;
+use embedded_graphics::prelude::*;
 use embedded_graphics::primitives::Rectangle;
 use embedded_hal::{digital, spi};
 

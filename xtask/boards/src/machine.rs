@@ -66,11 +66,9 @@ impl<C: Core> Machine<C> {
             microsecond: board.clock() / 1_000_000,
             aligned: board.chip == ChipKind::Rp2040,
         };
+        let cores = C::all(board.chip, &atomics);
         let mut machine = Self {
-            runners: C::all(board.chip, &atomics)
-                .into_iter()
-                .map(Runner::new)
-                .collect(),
+            runners: cores.into_iter().map(Runner::new).collect(),
             system,
             presses: Presses::default(),
             rtt: Rtt::new(firmware.rtt),

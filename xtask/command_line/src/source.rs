@@ -85,9 +85,6 @@ impl Source {
     }
 
     /// Returns a scene from its description in double precision.
-    ///
-    /// # Errors
-    /// The library refuses the scene or the camera.
     pub fn described(
         name: String,
         scene: reference::Scene,
@@ -147,9 +144,6 @@ impl Source {
 }
 
 /// Converts the reference's camera to the library's.
-///
-/// # Errors
-/// Fails if the camera shows nothing, as [`Camera::new`] says.
 pub fn exact(camera: &reference::Camera) -> Result<Camera, Error> {
     Camera::new(camera.position, camera.target, camera.up, camera.fov)
 }

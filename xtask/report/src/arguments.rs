@@ -70,11 +70,10 @@ impl Arguments {
 }
 
 fn small_size(text: &str) -> Result<Size, &'static str> {
-    let found = size(text).ok();
-    let is_small = |size: &Size| size.width <= 1024 && size.height <= 1024;
-    found
-        .filter(is_small)
-        .ok_or("not a width and a height from 1 to 1024, such as 128x128")
+    match size(text) {
+        Ok(size) if size.width.max(size.height) <= 1024 => Ok(size),
+        _ => Err("not a width and a height from 1 to 1024, such as 128x128"),
+    }
 }
 
 fn after_help() -> String {

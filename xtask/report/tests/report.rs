@@ -49,9 +49,8 @@ fn assert_is_sound(rows: &[Row], scenes: &[&str]) {
         assert!(fixed.len() >= 6, "{scene}");
         assert_front_is_monotone(&fixed);
         // In the finest quality with all reflections, only rounding errors are left.
-        let finest = fixed
-            .iter()
-            .filter(|row| row["quality"] == "exact" && row["scale"] == "1");
+        let is_fine = |row: &&&Row| row["quality"] == "exact" && row["scale"] == "1";
+        let finest = fixed.iter().filter(is_fine);
         let finest = finest.max_by_key(|row| row["reflections"].parse::<u8>().unwrap());
         let finest = finest.expect("exact is tried, too");
         assert!(number(finest, "within1") >= 0.98, "{finest:?}");
@@ -62,10 +61,8 @@ fn assert_is_sound(rows: &[Row], scenes: &[&str]) {
 /// of the front.
 fn assert_front_is_monotone(fixed: &[&Row]) {
     let cost = "instructions_per_pixel";
-    let mut front: Vec<_> = fixed
-        .iter()
-        .filter(|row| row["on_front"] == "true")
-        .collect();
+    let is_on_front = |row: &&&Row| row["on_front"] == "true";
+    let mut front: Vec<_> = fixed.iter().filter(is_on_front).collect();
     assert!(!front.is_empty());
     front.sort_by(|a, b| {
         let by_cost = number(a, cost).total_cmp(&number(b, cost));
@@ -91,10 +88,9 @@ fn kept_report_is_sound() {
     let rows = rows(Path::new(REPORT));
     assert!(rows.iter().all(|row| row["size"] == "128x128"));
     assert_is_sound(&rows, &NAMES);
-    let size: u64 = fs::read_dir(REPORT)
-        .expect("the folder can be read")
-        .map(|entry| entry.unwrap().metadata().unwrap().len())
-        .sum();
+    let files = fs::read_dir(REPORT).expect("the folder can be read");
+    let sizes = files.map(|entry| entry.unwrap().metadata().unwrap().len());
+    let size: u64 = sizes.sum();
     assert!(size < 1_000_000, "{size}");
     assert_page_is_whole(Path::new(REPORT), &NAMES);
 }

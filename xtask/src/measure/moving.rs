@@ -25,9 +25,6 @@ pub struct MovingFigures {
 }
 
 /// Measures a task with a shape that moves and prints the figures.
-///
-/// # Errors
-/// [`Misuse`] if nothing can move.
 pub fn run(task: &Task, is_json: bool) -> Result<()> {
     let figures = measure(task)?;
     let text = match is_json {

@@ -24,9 +24,9 @@ pub fn renew(core: Option<&'static Core>) -> Result<()> {
     let renewed: Vec<Result<()>> = thread::scope(|scope| {
         let cores = CORES.iter().filter(is_meant);
         let threads: Vec<_> = cores.map(|core| scope.spawn(|| renew_core(core))).collect();
-        let results = threads.into_iter().map(|thread| thread.join());
-        results
-            .map(|result| result.expect("no measurement panics"))
+        let threads = threads.into_iter();
+        threads
+            .map(|it| it.join().expect("no measurement panics"))
             .collect()
     });
     renewed.into_iter().collect::<Result<()>>()?;

@@ -3,14 +3,14 @@
 
 use std::path::PathBuf;
 
-use anyhow::{Context, Error, Result, anyhow, ensure};
+use anyhow::{Context, Error, Result, ensure};
 use clap::ValueEnum;
 use command_line::{Chosen, Quality as Fixed, Settings, Source, size};
 use serde::{Deserialize, Serialize};
 
 use super::figures::aligned;
 use super::{CORES, Core, Quality, Scene, Size, Task, outcome};
-use crate::table::{filled, markdown, rounded};
+use crate::table::{filled, markdown, rounded, row};
 use crate::{kept, print, root};
 
 const FILE: &str = "docs/measured/units.jsonl";
@@ -141,30 +141,21 @@ fn page() -> PathBuf {
 
 /// Returns the cells of a table: its head, then a row for each unit. `columns` has the costs of a core each.
 fn table(columns: &[Vec<Kept>]) -> Result<Vec<Vec<String>>> {
-    let row = |name: &str, costs: Vec<String>, how: &str| {
-        let ends = [name, how].map(|text| vec![text.to_owned()]);
-        [&ends[0][..], &costs, &ends[1]].concat()
-    };
     let cores = columns.iter().filter_map(|column| column.first());
-    let mut rows = vec![row(
-        "unit",
-        cores.map(|it| it.core.clone()).collect(),
-        "measured as",
-    )];
+    let cores = cores.map(|it| it.core.clone());
+    let mut rows = vec![row("unit", cores.chain(["measured as".to_owned()]))];
     for (index, unit) in Unit::all()?.iter().enumerate() {
         let costs = columns.iter().filter_map(|column| column.get(index));
-        let costs = costs.map(|it| format!("{:.1}", it.instructions)).collect();
+        let costs = costs.map(|it| format!("{:.1}", it.instructions));
         let how = format!("`{}`: {}", unit.more.quality()?.type_name(), unit.how);
-        rows.push(row(&unit.name, costs, &how));
+        rows.push(row(&unit.name, costs.chain([how])));
     }
     Ok(rows)
 }
 
 fn text(kept: &[Kept]) -> Result<String> {
     let rows = table(&[kept.to_vec()])?;
-    let (head, rows) = rows
-        .split_first()
-        .ok_or_else(|| anyhow!("the table has a head"))?;
+    let (head, rows) = rows.split_first().context("the table has a head")?;
     let units = markdown(1, head, rows.to_vec());
     Ok(filled(include_str!("units/page.md"), &[("units", units)]))
 }

@@ -58,10 +58,8 @@ pub fn tasks() -> Result<Vec<Task>> {
         task.settings.reflections = reflections;
         Ok(task)
     };
-    let pairs = CORES
-        .into_iter()
-        .flat_map(|core| SCENES.map(|scene| (core, scene)));
-    pairs.map(|(core, scene)| task(core, scene)).collect()
+    let tasks = CORES.map(|core| SCENES.map(|scene| task(core, scene)));
+    tasks.into_iter().flatten().collect()
 }
 
 /// The figures that the repository keeps, in the order of [`tasks`].
@@ -89,10 +87,8 @@ fn table(rows: &[Figures]) -> String {
 
 /// Returns the mean instructions and cycles a pixel on a core, over the scenes whose names begin with `scenes`.
 fn mean(rows: &[Figures], core: &str, scenes: &str) -> [f64; 2] {
-    let meant = || {
-        rows.iter()
-            .filter(|row| row.core == core && row.scene.starts_with(scenes))
-    };
+    let is_meant = |row: &&Figures| row.core == core && row.scene.starts_with(scenes);
+    let meant = || rows.iter().filter(is_meant);
     let sums = meant().fold([0.0; 2], |[instructions, cycles], row| {
         let more = row.cycles_per_pixel.unwrap_or(f64::NAN);
         [instructions + row.instructions_per_pixel, cycles + more]

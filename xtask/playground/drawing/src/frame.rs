@@ -72,9 +72,8 @@ impl Frame {
         // An average of bytes is a byte.
         let average = |sum: u32| ((sum + count / 2) / count) as u8;
         let colors = sums.into_iter().map(|sum| sum.map(average));
-        colors
-            .map(|[red, green, blue]| Rgb888::new(red, green, blue))
-            .collect()
+        let colors = colors.map(|[red, green, blue]| Rgb888::new(red, green, blue));
+        colors.collect()
     }
 
     pub fn report(&self) -> &Report {

@@ -37,16 +37,13 @@ impl Settings {
             ("smooth", self.smooth, 1..=4),
             ("display", self.display, 0..=5),
         ];
-        let wrong = limits
-            .iter()
-            .find(|(_, value, range)| !range.contains(value));
-        match wrong {
-            None => Ok(()),
-            Some((name, value, range)) => {
-                let (least, most) = (range.start(), range.end());
-                Err(format!("{name} must be {least} to {most}, not {value}"))
+        for (name, value, range) in limits {
+            if !range.contains(&value) {
+                let (least, most) = range.into_inner();
+                return Err(format!("{name} must be {least} to {most}, not {value}"));
             }
         }
+        Ok(())
     }
 
     pub fn reflections(&self) -> u8 {
