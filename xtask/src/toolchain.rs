@@ -23,7 +23,7 @@ pub const TARGETS: [&str; 6] = [
     "riscv32imc-unknown-none-elf",
 ];
 
-const WASM: &str = "wasm32-unknown-unknown";
+pub const WASM: &str = "wasm32-unknown-unknown";
 
 /// The oldest Rust version that the library supports, from Cargo.toml.
 pub const OLDEST_RUST: &str = env!("CARGO_PKG_RUST_VERSION");
@@ -41,10 +41,6 @@ const BUILD_LIMIT: Duration = Duration::from_secs(10 * 60);
 
 const DEBIAN_RUSTC: &str = "/usr/bin/rustc";
 
-pub fn add_component(name: &str) -> Result<()> {
-    rustup(&["component", "add", name])
-}
-
 /// Installs the core library for the bare-metal targets: compiled ones from rustup, else the source
 /// from Debian.
 pub fn get_bare_metal() -> Result<()> {
@@ -59,10 +55,6 @@ pub fn get_oldest_rust() -> Result<()> {
     rustup(&["toolchain", "install", OLDEST_RUST, "--profile", "minimal"])
 }
 
-pub fn get_wasm() -> Result<()> {
-    rustup(&["target", "add", WASM])
-}
-
 pub fn has_wasm() -> bool {
     let rustc = env::var_os("RUSTC").unwrap_or_else(|| "rustc".into());
     rust_library(&rustc).is_some_and(|library| library.join(WASM).is_dir())
@@ -75,7 +67,7 @@ pub fn has_oldest_rust() -> bool {
         .succeeds()
 }
 
-fn rustup(arguments: &[&str]) -> Result<()> {
+pub fn rustup(arguments: &[&str]) -> Result<()> {
     let rustup = Program::new("rustup")
         .args(arguments)
         .env("RUST_BACKTRACE", "0")

@@ -34,18 +34,13 @@ measure --core rv32 floor --size 8x8 --clock 100 => no timings of instructions a
     );
 }
 
-/// Tests that the table in README.md has the kept figures.
-fn assert_readme_has(kept: &[frames::Kept]) {
-    let readme = fs::read_to_string(root().join("README.md")).unwrap();
-    let expected = with_table(&readme, "", &frames::readme_table(kept));
-    let again = "`cargo xtask measure --frames` has to be run again";
-    assert!(expected.as_ref() == Some(&readme), "{again}");
-}
-
 #[test]
 fn command_prints_the_frames_a_second_that_readme_shows() {
     let kept = frames::read().unwrap();
-    assert_readme_has(&kept);
+    let readme = fs::read_to_string(root().join("README.md")).unwrap();
+    let expected = with_table(&readme, "", &frames::readme_table(&kept));
+    let again = "`cargo xtask measure --frames` has to be run again";
+    assert!(expected.as_ref() == Some(&readme), "{again}");
     let line = |line: &&frames::Kept| line.scene == "castle" && line.board == PICO_2.title;
     let kept = kept.iter().find(line).unwrap().frames_per_second;
     let done = common::xtask(&root(), "measure castle --board pico2");

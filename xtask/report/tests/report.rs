@@ -24,12 +24,6 @@ fn report(folder: &TempDir, arguments: &str) -> Output {
         .expect("the command runs")
 }
 
-fn reported(folder: &TempDir, arguments: &str) {
-    let output = report(folder, arguments);
-    let complaints = String::from_utf8_lossy(&output.stderr);
-    assert_eq!(output.status.code(), Some(0), "{complaints}");
-}
-
 fn rows(folder: &Path) -> Vec<Row> {
     let mut reader = csv::Reader::from_path(folder.join("points.csv")).expect("there is a table");
     let rows = reader.deserialize();
@@ -119,7 +113,9 @@ fn assert_page_is_whole(folder: &Path, scenes: &[&str]) {
 fn table_of_a_scene_has_the_columns_of_the_kept_one() {
     let folder = tempfile::tempdir().unwrap();
     let arguments = "corner1 --core m3 --size 16x16 --reflections 1 --out made";
-    reported(&folder, arguments);
+    let output = report(&folder, arguments);
+    let complaints = String::from_utf8_lossy(&output.stderr);
+    assert_eq!(output.status.code(), Some(0), "{complaints}");
     let made = folder.path().join("made");
     let rows = rows(&made);
     assert_is_sound(&rows, &["corner1"]);

@@ -58,11 +58,6 @@ impl Figures {
         }
     }
 
-    pub(super) fn set_cycles(&mut self, per_instruction: f64) {
-        let cycles = per_instruction * self.instructions_per_pixel;
-        self.cycles_per_pixel = Some(rounded(cycles, 1));
-    }
-
     pub fn json(&self) -> Result<String> {
         serde_json::to_string(self).context("figures are plain")
     }
