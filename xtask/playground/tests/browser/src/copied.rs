@@ -45,10 +45,8 @@ pub fn run(sources: &[String]) -> Vec<String> {
         let scene = format!("s{at}::{}, s{at}::CAMERA", type_name(source));
         calls += &format!("println!(\"{{:016x}}\", draw!({scene}, 64));\n");
     }
-    write(
-        "src/main.rs",
-        &format!("{modules}{MAIN}fn main() {{\n{calls}}}\n"),
-    );
+    let main = format!("{modules}{MAIN}fn main() {{\n{calls}}}\n");
+    write("src/main.rs", &main);
     let cargo = Command::new("cargo")
         .args(["run", "--release", "--target-dir"])
         .arg(target().join("copied"))
