@@ -43,12 +43,10 @@ pub fn measure(task: &Task) -> Result<MovingFigures> {
     if task.settings.quality == Quality::Float {
         return Err(Misuse::new("nothing moves in the float port").into());
     }
-    let with = |moves| {
-        let scene = task.scene.with_motion(moves)?;
-        Ok::<_, anyhow::Error>(Task {
-            scene,
-            ..task.clone()
-        })
+    let with = |moves| -> Result<Task> {
+        let mut task = task.clone();
+        task.scene = task.scene.with_motion(moves)?;
+        Ok(task)
     };
     let moving = with(true)?;
     let (frame, still) = (super::measure(&moving)?, super::count(&with(false)?)?);

@@ -21,7 +21,8 @@ const SCENES: [&str; 2] = ["castle", "corner1"];
 /// Size of the pictures from which build profiles are measured: as in docs/boards.md.
 const SIZE: Size = Size::new(64, 64);
 
-/// One line. In JSON the keys are the names of the fields.
+/// One line: figures in a profile, each as in [`Figures`](super::Figures). In JSON the keys are the names of
+/// the fields.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Row {
@@ -31,13 +32,9 @@ pub struct Row {
     pub size: String,
     pub reflections: u8,
     pub quality: String,
-    /// Executed instructions of the whole frame, preparation included, over its pixels.
     pub instructions_per_pixel: f64,
-    /// Bytes of code and constants that belong to the library and the scene.
     pub flash: u64,
-    /// Most bytes of stack in use at a time.
     pub stack: u64,
-    /// FNV-1a, 64 bits, of the frame's RGB8 bytes.
     pub hash: String,
 }
 

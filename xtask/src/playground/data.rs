@@ -86,9 +86,8 @@ fn version() -> Result<String> {
     let manifest = fs::read_to_string(root().join("Cargo.toml"))?;
     let mut lines = manifest.lines();
     let version = lines.find_map(|line| line.strip_prefix("version = \"")?.strip_suffix('"'));
-    version
-        .map(str::to_owned)
-        .context("no version in Cargo.toml")
+    let version = version.context("no version in Cargo.toml")?;
+    Ok(version.to_owned())
 }
 
 #[cfg(test)]
