@@ -11,13 +11,12 @@ use reflet::host::reference::render;
 use reflet::scenes;
 use serde::Serialize;
 
-use crate::kept;
+use crate::{kept, table::rounded};
 
 /// File that the command writes, in the repository's folder.
 const PAGE: &str = "docs/accuracy.md";
 /// File of all figures, one line for each picture and quality.
 const FIGURES_FILE: &str = "docs/measured/accuracy.jsonl";
-/// Width and height of each measured picture, in pixels.
 const SIDE: u32 = 320;
 /// Number of reflections that each ray may have.
 const REFLECTIONS: u8 = 4;
@@ -32,7 +31,6 @@ const NAMES: [&str; 4] = ["fast", "small", "exact", "f32"];
 /// differ.
 const ALL: f64 = 0.9999;
 
-/// Accuracy of one built-in scene in one shading.
 struct Picture {
     scene: &'static str,
     shading: &'static str,
@@ -98,7 +96,6 @@ fn measured() -> Result<Vec<Picture>> {
 }
 
 fn lines(pictures: &[Picture]) -> Result<String> {
-    let rounded = |number: f64, digits: f64| (number * digits).round() / digits;
     let mut lines = String::new();
     for picture in pictures {
         for (quality, of) in NAMES.into_iter().zip(&picture.differences) {
@@ -106,9 +103,9 @@ fn lines(pictures: &[Picture]) -> Result<String> {
                 scene: picture.scene,
                 shading: picture.shading,
                 quality,
-                same: rounded(100.0 * of.same, 1e3),
-                within1: rounded(100.0 * of.within1, 1e3),
-                psnr: of.psnr.is_finite().then(|| rounded(of.psnr, 10.0)),
+                same: rounded(100.0 * of.same, 3),
+                within1: rounded(100.0 * of.within1, 3),
+                psnr: of.psnr.is_finite().then(|| rounded(of.psnr, 1)),
                 largest: of.max,
             };
             writeln!(lines, "{}", serde_json::to_string(&line)?)?;
@@ -135,10 +132,8 @@ fn page(pictures: &[Picture]) -> Result<String> {
         pictures.len()
     )?;
     for (index, name) in NAMES.iter().enumerate().take(QUALITIES.len()) {
-        let near = pictures
-            .iter()
-            .filter(|it| it.is_as_near_as_single_precision(index))
-            .count();
+        let is_near = |it: &&Picture| it.is_as_near_as_single_precision(index);
+        let near = pictures.iter().filter(is_near).count();
         writeln!(page, "- `{name}`: {near}")?;
     }
     Ok(page)
@@ -209,10 +204,8 @@ mod tests {
         let worst = "| `fast` | 50.000 % (ball, phong) | 50.000 % (ball, phong) | 50.0 (ball, phong) \
                      | 200 (cube, phong) |";
         assert!(page.contains(worst), "{page}");
-        assert!(
-            page.lines().all(|line| line.chars().count() <= 200),
-            "{page}"
-        );
+        let is_short = |line: &str| line.chars().count() <= 200;
+        assert!(page.lines().all(is_short), "{page}");
         let lines = lines(&pictures()).unwrap();
         let cube = r#"{"scene":"cube","shading":"phong","quality":"fast","same":75.0,"within1":75.0,"psnr":75.0,"largest":200}"#;
         assert_eq!(lines.lines().nth(4), Some(cube));
@@ -232,9 +225,7 @@ mod tests {
     #[test]
     fn picture_with_one_pixel_in_ten_thousand_off_is_as_near_as_any() {
         let [picture, _] = pictures();
-        assert_eq!(
-            [0, 1, 2].map(|quality| picture.is_as_near_as_single_precision(quality)),
-            [false, false, true]
-        );
+        let near = [0, 1, 2].map(|quality| picture.is_as_near_as_single_precision(quality));
+        assert_eq!(near, [false, false, true]);
     }
 }

@@ -15,7 +15,6 @@ use std::{fmt, io, thread};
 
 use rustix::process::{Pid, Signal, kill_process};
 
-/// A program to run: its command line, environment and time limit.
 #[derive(Debug)]
 pub struct Program {
     command: Command,
@@ -188,7 +187,6 @@ pub struct Watched {
     pub processor: Duration,
 }
 
-/// Number of output lines that may wait to be read.
 const LINES: usize = 1 << 12;
 
 impl fmt::Display for Program {
@@ -348,22 +346,13 @@ mod tests {
     #[test]
     fn program_that_is_watched_is_ended_with_its_children() {
         let slow = shell("sleep 61.75 & wait").limit(Duration::from_millis(200));
-        assert!(
-            slow.watch()
-                .outcome
-                .unwrap_err()
-                .to_string()
-                .ends_with("was ended after 0.2 s")
-        );
+        let failure = slow.watch().outcome.unwrap_err();
+        assert!(failure.to_string().ends_with("was ended after 0.2 s"));
         // A killed process can be seen until the system has taken it down.
-        let is_there = || {
-            Program::new("pgrep")
-                .args(["-fx", "sleep 61.75"])
-                .succeeds()
-        };
         let is_gone = |_| {
             thread::sleep(Duration::from_millis(20));
-            !is_there()
+            let found = Program::new("pgrep").args(["-fx", "sleep 61.75"]);
+            !found.succeeds()
         };
         assert!((0..100).any(is_gone));
     }
@@ -389,10 +378,8 @@ mod tests {
     #[test]
     fn failure_names_the_command_and_repeats_its_words() {
         let failure = shell("echo it is full >&2; exit 3").read().unwrap_err();
-        assert_eq!(
-            failure.to_string(),
-            "`sh -c echo it is full >&2; exit 3` failed (exit status: 3): it is full"
-        );
+        let words = "`sh -c echo it is full >&2; exit 3` failed (exit status: 3): it is full";
+        assert_eq!(failure.to_string(), words);
     }
 
     #[test]

@@ -24,7 +24,6 @@ pub struct Arguments {
     examples: Vec<String>,
 }
 
-/// The example for a board.
 #[derive(Clone, Copy)]
 pub(crate) struct Example {
     board: &'static str,
@@ -87,12 +86,11 @@ pub fn run(arguments: &Arguments) -> Result<()> {
     for name in EXAMPLES.map(|it| it.board).into_iter().filter(is_meant) {
         println!("copies: building {name} and its copy");
         let [there, copied] = both(name)?;
-        let mut row = vec![name.to_owned()];
-        row.extend([there, copied].map(|it| it.flash.to_string()));
-        rows.push(row);
+        let flash = [there, copied].map(|it| it.flash.to_string());
+        rows.push(table::row(name, flash));
     }
-    let head = ["example", "flash in place", "flash of a copy"].map(str::to_owned);
-    print!("{}", table::markdown(1, &head, &rows));
+    let head = ["example", "flash in place", "flash of a copy"];
+    print!("{}", table::markdown(1, &head, rows));
     Ok(())
 }
 
@@ -194,11 +192,9 @@ fn copy_example(from: &Path, to: &Path) -> Result<()> {
     copy_folder(from, to)?;
     let manifest = to.join("Cargo.toml");
     let text = fs::read_to_string(&manifest).context("an example has a manifest")?;
-    let root = root();
-    let root = root
-        .to_str()
-        .context("the path of the repository is no text")?;
-    fs::write(manifest, with_reflet_in(&text, root)).context("cannot write a manifest")
+    let root = root().into_os_string().into_string();
+    let root = root.ok().context("the path of the repository is no text")?;
+    fs::write(manifest, with_reflet_in(&text, &root)).context("cannot write a manifest")
 }
 
 /// Returns the manifest with the path of reflet replaced by `root`.
@@ -250,10 +246,8 @@ mod tests {
         fs::write(from.join("Cargo.toml"), "path = \"../..\"").unwrap();
         copy_example(&from, &to).unwrap();
         for folder in ["src", ".cargo"] {
-            assert_eq!(
-                fs::read_to_string(to.join(folder).join("file")).unwrap(),
-                folder
-            );
+            let copied = fs::read_to_string(to.join(folder).join("file"));
+            assert_eq!(copied.unwrap(), folder);
         }
         assert!(!to.join("target").exists());
         let manifest = fs::read_to_string(to.join("Cargo.toml")).unwrap();

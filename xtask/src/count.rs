@@ -8,37 +8,32 @@ use anyhow::{Context, Result};
 
 use crate::{command::Program, print, root};
 
-/// A number and the rule by which it is counted.
-struct Figure {
-    count: usize,
-    rule: &'static str,
-}
-
 pub fn run() -> Result<()> {
+    let [readme, docs] = [&["README.md"][..], &["docs/*.md", "docs/error-time/*.md"]];
     let figures = [
-        Figure {
-            count: code_of_library()?,
-            rule: "lines of code in src: neither blank nor beginning with //, without tests",
-        },
-        Figure {
-            count: rust_outside()?,
-            rule: "lines of Rust outside of src: all lines of all files that git tracks",
-        },
-        Figure {
-            count: words_of(&["README.md"])?,
-            rule: "words of README.md, without bars and rules of tables",
-        },
-        Figure {
-            count: words_of(&["docs/*.md", "docs/error-time/*.md"])?,
-            rule: "words of the pages in docs, without docs/internals, bars and rules of tables",
-        },
-        Figure {
-            count: packages_of_first_command()?,
-            rule: "packages that `cargo run --release --example render` compiles, this one included",
-        },
+        (
+            code_of_library()?,
+            "lines of code in src: neither blank nor beginning with //, without tests",
+        ),
+        (
+            rust_outside()?,
+            "lines of Rust outside of src: all lines of all files that git tracks",
+        ),
+        (
+            words_of(readme)?,
+            "words of README.md, without bars and rules of tables",
+        ),
+        (
+            words_of(docs)?,
+            "words of the pages in docs, without docs/internals, bars and rules of tables",
+        ),
+        (
+            packages_of_first_command()?,
+            "packages that `cargo run --release --example render` compiles, this one included",
+        ),
     ];
-    let line = |figure: Figure| format!("{:>6}  {}\n", figure.count, figure.rule);
-    print(figures.map(line).concat())
+    let lines = figures.map(|(count, rule)| format!("{count:>6}  {rule}\n"));
+    print(lines.concat())
 }
 
 /// Returns the paths of the files that git tracks and that match a pattern.
@@ -52,7 +47,6 @@ fn text(file: &str) -> Result<String> {
     fs::read_to_string(root().join(file)).with_context(|| format!("cannot read {file}"))
 }
 
-/// Returns the number of lines of code of the library.
 fn code_of_library() -> Result<usize> {
     let files = tracked("src/*.rs")?;
     let texts = files.iter().map(|file| text(file));
@@ -63,9 +57,8 @@ fn code_of_library() -> Result<usize> {
         .collect();
     let is_test = |file: &str| {
         let module = file.trim_end_matches(".rs");
-        tests
-            .iter()
-            .any(|test| module == test || module.starts_with(&format!("{test}/")))
+        let is_in = |test: &String| Path::new(module).starts_with(test);
+        tests.iter().any(is_in)
     };
     let counted = pairs().filter(|(file, _)| !is_test(file));
     Ok(counted.map(|(_, text)| lines_of_code(text)).sum())
@@ -74,10 +67,8 @@ fn code_of_library() -> Result<usize> {
 /// Returns the paths, without `.rs`, of the test modules that a file declares in files of their own.
 fn test_modules(file: &str, text: &str) -> Vec<String> {
     let path = Path::new(file);
-    let folder = match path
-        .file_name()
-        .is_some_and(|name| name == "mod.rs" || name == "lib.rs")
-    {
+    let is_root = path.ends_with("mod.rs") || path.ends_with("lib.rs");
+    let folder = match is_root {
         true => path.parent().unwrap_or(path).to_owned(),
         false => path.with_extension(""),
     };
@@ -113,10 +104,7 @@ fn lines_of_code(text: &str) -> usize {
             let indent = line.len() - line.trim_start().len();
             let end = format!("{}}}", " ".repeat(indent));
             if lines.next().is_some_and(|next| next.ends_with('{')) {
-                lines
-                    .by_ref()
-                    .take_while(|line| *line != end)
-                    .for_each(drop);
+                lines.find(|line| *line == end);
             }
             continue;
         }
@@ -125,20 +113,17 @@ fn lines_of_code(text: &str) -> usize {
     count
 }
 
-/// Returns the number of lines of Rust outside of `src`.
 fn rust_outside() -> Result<usize> {
     let files = tracked("*.rs")?.into_iter();
     let outside = files.filter(|file| !file.starts_with("src/"));
     outside.map(|file| Ok(text(&file)?.lines().count())).sum()
 }
 
-/// Returns the number of words of the pages that match the patterns.
 fn words_of(patterns: &[&str]) -> Result<usize> {
     let pages = patterns.iter().map(|pattern| tracked(pattern));
     let pages = pages.collect::<Result<Vec<_>>>()?.concat();
-    let user = pages
-        .iter()
-        .filter(|page| !page.starts_with("docs/internals/"));
+    let is_for_users = |page: &&String| !page.starts_with("docs/internals/");
+    let user = pages.iter().filter(is_for_users);
     user.map(|page| Ok(words(&text(page)?))).sum()
 }
 
@@ -151,15 +136,9 @@ fn words(text: &str) -> usize {
 /// Returns the number of packages that the first command of README compiles.
 fn packages_of_first_command() -> Result<usize> {
     let tree = Program::new("cargo")
-        .args([
-            "tree",
-            "--package",
-            "reflet",
-            "--prefix",
-            "none",
-            "--locked",
-        ])
-        .args(["--edges", "normal,build,dev", "--format", "{p}"]);
+        .args(["tree", "--package", "reflet", "--prefix", "none"])
+        .args(["--locked", "--edges", "normal,build,dev"])
+        .args(["--format", "{p}"]);
     let packages = tree.in_folder(root()).read()?;
     let name = |line: &str| line.split(' ').take(2).collect::<Vec<_>>().join(" ");
     Ok(packages.lines().map(name).collect::<BTreeSet<_>>().len())
@@ -169,10 +148,8 @@ fn packages_of_first_command() -> Result<usize> {
 mod tests {
     use super::*;
 
-    /// Most lines of code of the library.
     const MOST_CODE: usize = 19_728;
 
-    /// Most lines of Rust outside of the library.
     const MOST_OUTSIDE: usize = 38_584;
 
     /// Most packages that a newcomer's first command compiles.

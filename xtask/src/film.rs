@@ -37,12 +37,8 @@ pub fn run(board: &Owned, path: &Path) -> Result<()> {
     }
     let run = board.board.run(&firmware, &script)?;
     let step = SHOWN.div_ceil(board.frame);
-    let frames: Vec<_> = run
-        .pictures
-        .iter()
-        .step_by(step as usize)
-        .map(small)
-        .collect();
+    let pictures = run.pictures.iter().step_by(step as usize);
+    let frames: Vec<_> = pictures.map(small).collect();
     let delay = u16::try_from(step * board.frame / 10)?;
     let side = u16::try_from(SIDE / SCALE).context("a panel is small")?;
     let bytes = palette::encoded(&frames, [side; 2], delay)?;

@@ -58,10 +58,6 @@ pub fn run(arguments: &Arguments) -> Result<()> {
         .with_context(|| format!("the fuzzer has found something: see {WORK}"))
 }
 
-pub fn compiles_cpp() -> bool {
-    Program::new("c++").args(["--version"]).succeeds()
-}
-
 fn build() -> Result<String> {
     let version = Program::new("rustc").args(["-vV"]).read()?;
     let host = version

@@ -12,7 +12,7 @@ use std::{
     time::{Duration, Instant},
 };
 
-use anyhow::{Context, Result, anyhow};
+use anyhow::{Context, Result};
 use clap::Args;
 
 use crate::{
@@ -63,7 +63,6 @@ const LONGEST: &str = "measure";
 /// All tests have the films of the example `render`. The same in each step: nothing is built twice.
 const FEATURES: &str = "--features=reflet/film";
 
-/// A check of the gate, and the name under which it is reported.
 struct Step {
     name: String,
     program: Program,
@@ -103,19 +102,15 @@ pub fn run(arguments: Arguments) -> Result<()> {
     }
     times.extend(side_by_side(steps)?);
     println!("\n== all steps: seconds on the clock, and of the processor");
-    let mut sum = Duration::ZERO;
-    for Taken {
-        name,
-        clock,
-        processor,
-    } in &times
-    {
-        sum += *processor;
-        let [clock, processor] = [clock, processor].map(Duration::as_secs_f64);
+    let processor = times.iter().map(|taken| taken.seconds[1]).sum();
+    let all = Taken {
+        name: "all".to_owned(),
+        seconds: [start.elapsed().as_secs_f64(), processor],
+    };
+    for Taken { name, seconds } in times.iter().chain([&all]) {
+        let [clock, processor] = seconds;
         println!("{clock:>8.1} {processor:>8.1}  {name}");
     }
-    let clock = start.elapsed().as_secs_f64();
-    println!("{clock:>8.1} {:>8.1}  all", sum.as_secs_f64());
     println!(
         "\n== firmware and boards: seconds on the clock\n{}",
         ledger::summary()
@@ -127,12 +122,11 @@ pub fn run(arguments: Arguments) -> Result<()> {
     Ok(())
 }
 
-/// A step that has passed, with its time on the clock and its processor time.
+/// A step that has passed, with its seconds on the clock and those of the processor.
 #[derive(Debug)]
 struct Taken {
     name: String,
-    clock: Duration,
-    processor: Duration,
+    seconds: [f64; 2],
 }
 
 /// Runs the steps, [`LANES`] at a time, until all are done or one fails. Returns the times of each
@@ -168,21 +162,12 @@ fn take(Step { name, program }: Step) -> Result<Taken> {
     println!("== begin: {name}\n   {program}");
     let start = Instant::now();
     let watched = program.limit(LIMIT).watch();
-    let (clock, processor) = (start.elapsed(), watched.processor);
-    println!(
-        "\n== {name}: {:.1} s, processor {:.1} s\n{}",
-        clock.as_secs_f64(),
-        processor.as_secs_f64(),
-        watched.said
-    );
-    match watched.outcome {
-        Ok(()) => Ok(Taken {
-            name,
-            clock,
-            processor,
-        }),
-        Err(failure) => Err(anyhow!(failure).context(format!("the step `{name}` failed"))),
-    }
+    let seconds = [start.elapsed(), watched.processor].map(|it| it.as_secs_f64());
+    let ([clock, processor], said) = (seconds, watched.said);
+    println!("\n== {name}: {clock:.1} s, processor {processor:.1} s\n{said}");
+    let failed = || format!("the step `{name}` failed");
+    watched.outcome.with_context(failed)?;
+    Ok(Taken { name, seconds })
 }
 
 fn step(name: &str, program: Program) -> Step {
@@ -245,20 +230,17 @@ fn tests(all: bool) -> Result<Vec<Step>> {
     let (boards, measured): (Vec<_>, Vec<_>) = firmware.into_iter().partition(is_board);
     let is_longest = |name: &String| name == &format!("--test={LONGEST}");
     let (longest, measured): (Vec<_>, Vec<_>) = measured.into_iter().partition(is_longest);
+    // Documentation tests of these two packages would repeat the reference's: they compile its
+    // files again.
+    let excluded = ["--exclude=float_picture", "--exclude=float_port"];
+    let documentation = cargo("test").args(["--workspace", FEATURES, "--doc"]);
     // Steps that use one core come first, so that none is idle at the end.
     Ok(vec![
         step("tests of firmware's size and speed", test(&measured)),
         step("tests on emulated boards", test(&boards)),
         step("tests of measured firmware", test(&longest)),
         step("tests on this machine", test(&others)),
-        // Documentation tests of these two packages would repeat the reference's: they compile its
-        // files again.
-        step(
-            "tests in the documentation",
-            cargo("test")
-                .args(["--workspace", FEATURES, "--doc"])
-                .args(["--exclude=float_picture", "--exclude=float_port"]),
-        ),
+        step("tests in the documentation", documentation.args(excluded)),
     ])
 }
 
@@ -299,17 +281,15 @@ fn library(bare_metal: &BareMetal, all: bool) -> Vec<Step> {
     let rest = cargo("clippy").args(["--workspace", "--all-targets", "--all-features"]);
     // `all` also compiles the package from nothing but its own files.
     let unverified: &[&str] = if all { &[] } else { &["--no-verify"] };
+    let documentation = cargo("doc")
+        .args(["--package", "reflet", "--no-deps", "--no-default-features"])
+        .args(["--features", "host,micromath,scenes"])
+        .env("RUSTDOCFLAGS", "-D warnings --cfg docsrs");
     let package = cargo("package").args(["--package", "reflet", "--allow-dirty"]);
     vec![
         step("clippy, everything", rest.args(warnings)),
         step("package", package.args(unverified)),
-        step(
-            "documentation, as docs.rs builds it",
-            cargo("doc")
-                .args(["--package", "reflet", "--no-deps", "--no-default-features"])
-                .args(["--features", "host,micromath,scenes"])
-                .env("RUSTDOCFLAGS", "-D warnings --cfg docsrs"),
-        ),
+        step("documentation, as docs.rs builds it", documentation),
         step("bare metal", on_bare_metal("check").args(features)),
         step("bare metal, no features", without_features),
     ]
@@ -323,20 +303,16 @@ fn boards() -> Vec<Step> {
     let alone = |package: &str, part: &str, target: &str| {
         let program = cargo("clippy").args(["--release", "--target", target]);
         let program = toolchain::alone(program, Path::new(package)).args([part]);
-        step(
-            &format!("clippy, {package}, {target}"),
-            program.args(warnings),
-        )
+        let name = format!("clippy, {package}, {target}");
+        step(&name, program.args(warnings))
     };
     let [m0, m3, m4, m33, rv32, rv32_without_atomics] = TARGETS;
     let board = ["--package", "reflet", "--example", "board"];
     let clippy = cargo("clippy").args(["--release", "--target", m3]);
     let board = toolchain::alone(clippy, Path::new("")).args(board);
+    let name = format!("clippy, examples/board, {m3}");
     vec![
-        step(
-            &format!("clippy, examples/board, {m3}"),
-            board.args(warnings),
-        ),
+        step(&name, board.args(warnings)),
         alone("xtask/firmware", "--lib", m3),
         alone("examples/small", "--bins", m0),
         alone("xtask/firmware", "--lib", m0),
@@ -352,19 +328,15 @@ fn boards() -> Vec<Step> {
 /// Returns the steps that only `--all` runs.
 fn long() -> Vec<Step> {
     let rays = cargo("run").args(["--profile", "checked", "--package", "stability", "--"]);
+    let rays = rays.args(["--rays", "100000000"]);
+    let copies = xtask().args(["copies"]);
     let schema = cargo("test").args(["--manifest-path", "tests/schema/Cargo.toml"]);
     let schema = schema.args(["--target-dir".as_ref(), target_directory().as_os_str()]);
     vec![
         step("schema of scene files", schema),
         step("fuzz", xtask().args(["fuzz", "--seconds", "600"])),
-        step(
-            "10^8 random rays with overflow checks",
-            rays.args(["--rays", "100000000"]),
-        ),
-        step(
-            "copies of examples are the same firmware",
-            xtask().args(["copies"]),
-        ),
+        step("10^8 random rays with overflow checks", rays),
+        step("copies of examples are the same firmware", copies),
     ]
 }
 
@@ -383,33 +355,24 @@ fn playground() -> Result<Vec<Step>> {
         step(&format!("clippy, {package}"), clippy)
     };
     let in_browser = alone("test", browser).args(["--", "--nocapture"]);
+    let in_browser = in_browser.env("XTASK", target_directory().join("debug/xtask"));
     Ok(vec![
         clippy(library),
         clippy(browser),
         step("tests of the playground's library", alone("test", library)),
-        step(
-            "playground in a browser",
-            in_browser.env("XTASK", target_directory().join("debug/xtask")),
-        ),
+        step("playground in a browser", in_browser),
     ])
 }
 
 /// Returns the step that checks the library with the oldest Rust it supports, if that toolchain is
 /// installed. `all` adds the features that take long to compile.
 fn oldest_rust(all: bool) -> Option<Step> {
-    let features = if all {
-        "host,micromath,scenes"
-    } else {
-        "micromath"
+    let features = match all {
+        true => "host,micromath,scenes",
+        false => "micromath",
     };
-    let check = Program::new("cargo")
-        .args([
-            &format!("+{OLDEST_RUST}"),
-            "check",
-            "--package",
-            "reflet",
-            "--lib",
-        ])
+    let check = cargo(&format!("+{OLDEST_RUST}"))
+        .args(["check", "--package", "reflet", "--lib"])
         .args(["--features", features])
         .env("CARGO_TARGET_DIR", target_directory().join("oldest"));
     has_oldest_rust().then(|| step("oldest supported Rust", check))
@@ -423,10 +386,9 @@ mod tests {
     fn step_that_fails_is_named() {
         let steps = [("well", "true"), ("ill", "false")];
         let steps = steps.map(|(name, program)| step(name, Program::new(program)));
-        assert_eq!(
-            format!("{:#}", side_by_side(steps.into()).unwrap_err()),
-            "the step `ill` failed: `false` failed (exit status: 1)"
-        );
+        let error = side_by_side(steps.into()).unwrap_err();
+        let words = "the step `ill` failed: `false` failed (exit status: 1)";
+        assert_eq!(format!("{error:#}"), words);
     }
 
     #[test]

@@ -4,7 +4,7 @@ use std::{path::PathBuf, process::ExitCode};
 
 use anyhow::Result;
 use clap::Parser;
-use command_line::Chosen;
+use command_line::{Chosen, in_one_line};
 use xtask::{
     accuracy, board, copies, count, enter_root, fuzz, gate, measure, misuse::Misuse, owned,
     playground, profile, scene_source, screenshot, setup, size,
@@ -71,7 +71,7 @@ fn read() -> Result<Chore> {
         if !error.use_stderr() {
             error.exit();
         }
-        Misuse::from_clap(&error)
+        Misuse::new(in_one_line(&error))
     })?)
 }
 

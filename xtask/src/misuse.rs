@@ -3,7 +3,7 @@
 
 use std::fmt::Display;
 
-use command_line::{in_one_line, one_line};
+use command_line::one_line;
 
 /// A mistake in an argument, or in a file that an argument names.
 #[derive(Debug, thiserror::Error)]
@@ -13,9 +13,5 @@ pub struct Misuse(String);
 impl Misuse {
     pub fn new(words: impl Display) -> Self {
         Self(words.to_string())
-    }
-
-    pub fn from_clap(error: &clap::Error) -> Self {
-        Self(in_one_line(error))
     }
 }

@@ -5,7 +5,7 @@ use std::sync::Mutex;
 
 use anyhow::{Context, Result, ensure};
 
-use crate::{apt, command::Program, fuzz, toolchain};
+use crate::{apt, command::Program, toolchain, toolchain::rustup};
 
 /// A program or library outside the repository.
 #[derive(Debug)]
@@ -54,7 +54,7 @@ impl Need {
 pub static RUSTFMT: Need = Need {
     name: "rustfmt",
     is_there: || runs("cargo fmt"),
-    get: || toolchain::add_component("rustfmt"),
+    get: || rustup(&["component", "add", "rustfmt"]),
     by_hand: "rustup component add rustfmt",
     without: None,
 };
@@ -62,7 +62,7 @@ pub static RUSTFMT: Need = Need {
 pub static CLIPPY: Need = Need {
     name: "clippy",
     is_there: || runs("cargo clippy"),
-    get: || toolchain::add_component("clippy"),
+    get: || rustup(&["component", "add", "clippy"]),
     by_hand: "rustup component add clippy",
     without: None,
 };
@@ -77,7 +77,7 @@ pub static BARE_METAL: Need = Need {
 
 pub static CPP_COMPILER: Need = Need {
     name: "C++ compiler, for the fuzzer",
-    is_there: fuzz::compiles_cpp,
+    is_there: || runs("c++"),
     get: || apt::install(&["g++"]),
     by_hand: "as root: apt-get install g++",
     without: None,
@@ -102,7 +102,7 @@ pub static QEMU_RISCV: Need = Need {
 pub static WASM: Need = Need {
     name: "target for WebAssembly",
     is_there: toolchain::has_wasm,
-    get: toolchain::get_wasm,
+    get: || rustup(&["target", "add", toolchain::WASM]),
     by_hand: "rustup target add wasm32-unknown-unknown",
     without: Some("the gate names the playground as untried"),
 };
@@ -180,9 +180,7 @@ mod tests {
             without: None,
         };
         let refused = milk.get_if_missing().unwrap_err();
-        assert_eq!(
-            format!("{refused:#}"),
-            "milk: missing; by hand: milk a cow: no cow"
-        );
+        let words = "milk: missing; by hand: milk a cow: no cow";
+        assert_eq!(format!("{refused:#}"), words);
     }
 }

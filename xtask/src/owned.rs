@@ -8,6 +8,7 @@ use anyhow::{Context, Result};
 use boards::{Board, Key, Picture, SIDE, Script};
 use clap::Args;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
+use embedded_graphics::pixelcolor::{Rgb565, Rgb888, RgbColor, raw::RawU16};
 use image::{Rgb, RgbImage};
 use reflet::scenes::NAMES;
 
@@ -32,7 +33,6 @@ pub struct Asked {
 pub struct Owned {
     /// Name of the board, which is also that of the chore.
     pub name: &'static str,
-    /// Name of the board in text.
     pub title: &'static str,
     /// Name of the processor core, as `measure --core` takes it.
     pub core: &'static str,
@@ -144,7 +144,6 @@ impl Owned {
         Ok(vec![Key::Select; place])
     }
 
-    /// Builds the example in its place.
     pub fn build(&self) -> Result<PathBuf> {
         self.build_program(Example::of(self.name)?.program)
     }
@@ -164,10 +163,6 @@ fn as_seen(picture: &Picture) -> RgbImage {
 
 /// Returns a colour of the panel in RGB8.
 pub fn rgb(pixel: u16) -> [u8; 3] {
-    let scaled = |value: u16, most: u16| ((value * 255 + most / 2) / most) as u8;
-    [
-        scaled(pixel >> 11, 31),
-        scaled(pixel >> 5 & 63, 63),
-        scaled(pixel & 31, 31),
-    ]
+    let color = Rgb888::from(Rgb565::from(RawU16::new(pixel)));
+    [color.r(), color.g(), color.b()]
 }

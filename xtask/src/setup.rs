@@ -6,7 +6,6 @@ use anyhow::{Result, bail};
 
 use crate::need::{self, Need};
 
-/// All needs of the gate.
 static NEEDS: [&Need; 7] = [
     &need::RUSTFMT,
     &need::CLIPPY,
@@ -79,10 +78,8 @@ mod tests {
             ..refused
         };
         let error = meet_all(&[&refused, &welcome, &HERE, &useless]).unwrap_err();
-        assert_eq!(
-            error.to_string(),
-            "setup could not get all the tests need. By hand:\n  \
-             milk: milk a cow\n  sugar: grow a beet"
-        );
+        let words = "setup could not get all the tests need. By hand:\n  \
+                     milk: milk a cow\n  sugar: grow a beet";
+        assert_eq!(error.to_string(), words);
     }
 }

@@ -8,9 +8,8 @@ use anyhow::{Result, ensure};
 use command_line::Quality;
 
 use crate::measure::outcome::Report;
-use crate::measure::{Core, Scene, Size, firmware, task};
+use crate::measure::{Core, Scene, Size, firmware, task, words};
 
-/// Time limit of a run.
 const LIMIT: Duration = Duration::from_secs(60 * 60);
 
 pub struct Sweep {
@@ -32,7 +31,6 @@ pub struct Setting {
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Count {
-    /// Instructions of the whole frame.
     pub instructions: u64,
     /// Instructions of the preparation, which are part of `instructions`.
     pub prepare: u64,
@@ -81,7 +79,7 @@ impl Sweep {
     /// Returns a number that identifies the task. The firmware sends it with every report.
     fn ticket(&self) -> u64 {
         let mut hasher = DefaultHasher::new();
-        (self.core.name, self.size.to_string()).hash(&mut hasher);
+        (self.core.name, words(self.size)).hash(&mut hasher);
         for (scene, settings) in &self.scenes {
             (scene.name(), settings).hash(&mut hasher);
         }

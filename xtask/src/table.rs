@@ -1,5 +1,7 @@
 //! Fills the templates of pages and writes Markdown tables.
 
+use std::borrow::Borrow;
+
 /// Replaces each `{{name}}` in a page's template by the value of that name. White space at the end
 /// of a value is left out.
 pub fn filled(template: &str, values: &[(&str, String)]) -> String {
@@ -12,13 +14,33 @@ pub fn filled(template: &str, values: &[(&str, String)]) -> String {
 
 /// Returns a Markdown table. The first `texts` columns are text; the others are numbers and aligned
 /// to the right.
-pub fn markdown(texts: usize, head: &[String], rows: &[Vec<String>]) -> String {
-    let line = |cells: &[String]| format!("| {} |\n", cells.join(" | "));
+pub fn markdown<H: Borrow<str>>(
+    texts: usize,
+    head: &[H],
+    rows: impl IntoIterator<Item = Vec<String>>,
+) -> String {
+    let line = |cells: String| format!("| {cells} |\n");
     let rule = |column| if column < texts { "---" } else { "--:" };
     let rule: Vec<_> = (0..head.len()).map(rule).collect();
-    let mut text = line(head) + &format!("|{}|\n", rule.join("|"));
-    text.extend(rows.iter().map(|cells| line(cells)));
+    let mut text = line(head.join(" | ")) + &format!("|{}|\n", rule.join("|"));
+    text.extend(rows.into_iter().map(|cells| line(cells.join(" | "))));
     text
+}
+
+/// Returns the cells of a row: its name, then the others.
+pub fn row(name: &str, cells: impl IntoIterator<Item = String>) -> Vec<String> {
+    [name.to_owned()].into_iter().chain(cells).collect()
+}
+
+/// Returns the cell of a figure that may be missing.
+pub fn cell(figure: Option<String>) -> String {
+    figure.unwrap_or_else(|| "-".to_owned())
+}
+
+/// Rounds a number to this many digits after the point.
+pub fn rounded(number: f64, digits: i32) -> f64 {
+    let unit = 10_f64.powi(digits);
+    (number * unit).round() / unit
 }
 
 /// A text whose table of the same head is replaced; each of its lines begins with `prefix`. `None` if

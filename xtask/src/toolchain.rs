@@ -23,8 +23,7 @@ pub const TARGETS: [&str; 6] = [
     "riscv32imc-unknown-none-elf",
 ];
 
-/// The target of the playground.
-const WASM: &str = "wasm32-unknown-unknown";
+pub const WASM: &str = "wasm32-unknown-unknown";
 
 /// The oldest Rust version that the library supports, from Cargo.toml.
 pub const OLDEST_RUST: &str = env!("CARGO_PKG_RUST_VERSION");
@@ -42,10 +41,6 @@ const BUILD_LIMIT: Duration = Duration::from_secs(10 * 60);
 
 const DEBIAN_RUSTC: &str = "/usr/bin/rustc";
 
-pub fn add_component(name: &str) -> Result<()> {
-    rustup(&["component", "add", name])
-}
-
 /// Installs the core library for the bare-metal targets: compiled ones from rustup, else the source
 /// from Debian.
 pub fn get_bare_metal() -> Result<()> {
@@ -60,10 +55,6 @@ pub fn get_oldest_rust() -> Result<()> {
     rustup(&["toolchain", "install", OLDEST_RUST, "--profile", "minimal"])
 }
 
-pub fn get_wasm() -> Result<()> {
-    rustup(&["target", "add", WASM])
-}
-
 pub fn has_wasm() -> bool {
     let rustc = env::var_os("RUSTC").unwrap_or_else(|| "rustc".into());
     rust_library(&rustc).is_some_and(|library| library.join(WASM).is_dir())
@@ -76,7 +67,7 @@ pub fn has_oldest_rust() -> bool {
         .succeeds()
 }
 
-fn rustup(arguments: &[&str]) -> Result<()> {
+pub fn rustup(arguments: &[&str]) -> Result<()> {
     let rustup = Program::new("rustup")
         .args(arguments)
         .env("RUST_BACKTRACE", "0")
@@ -152,14 +143,9 @@ pub fn build_wasm(package: &Path) -> Result<PathBuf> {
     need::WASM.get_if_missing()?;
     let cargo = Program::new("cargo").args(["build", "--release", "--locked", "--target", WASM]);
     let cargo = cargo.args(["--message-format=json-render-diagnostics"]);
-    let messages = alone(cargo.limit(BUILD_LIMIT), package).read()?;
-    let messages = messages.lines().map(serde_json::from_str::<Value>);
-    let files = messages
-        .flatten()
-        .filter_map(|it| it["filenames"].as_array().cloned());
-    let modules = files
-        .flatten()
-        .filter_map(|it| it.as_str().map(PathBuf::from));
+    let messages = messages(alone(cargo.limit(BUILD_LIMIT), package))?;
+    let files = messages.iter().filter_map(|it| it["filenames"].as_array());
+    let modules = files.flatten().filter_map(Value::as_str).map(PathBuf::from);
     let mut modules = modules.filter(|it| it.extension().is_some_and(|it| it == "wasm"));
     modules.next_back().context("cargo built no WebAssembly")
 }
@@ -226,12 +212,17 @@ fn cargo_build(profile: &str, target: &str) -> Result<Program> {
 
 /// Runs cargo and returns the path of the program, from cargo's messages.
 fn built(cargo: Program) -> Result<PathBuf> {
-    let messages = cargo.read()?;
-    let mut programs = messages.lines().filter_map(|line| {
-        let message: Value = serde_json::from_str(line).ok()?;
-        message["executable"].as_str().map(PathBuf::from)
-    });
+    let messages = messages(cargo)?;
+    let programs = messages.iter().filter_map(|it| it["executable"].as_str());
+    let mut programs = programs.map(PathBuf::from);
     programs.next_back().context("cargo built no program")
+}
+
+/// Runs cargo and returns its messages.
+fn messages(cargo: Program) -> Result<Vec<Value>> {
+    let lines = cargo.read()?;
+    let messages = lines.lines().map(serde_json::from_str);
+    Ok(messages.flatten().collect())
 }
 
 /// Returns the folder with the libraries of `rustc`. It has one folder for each target.
@@ -267,18 +258,13 @@ mod tests {
 
     #[test]
     fn advice_by_hand_names_every_target() {
-        assert!(
-            TARGETS
-                .iter()
-                .all(|target| BARE_METAL_BY_HAND.contains(target))
-        );
+        let is_named = |target: &&str| BARE_METAL_BY_HAND.contains(target);
+        assert!(TARGETS.iter().all(is_named));
     }
 
     #[test]
     fn linker_variable_is_spelt_as_cargo_reads_it() {
-        assert_eq!(
-            linker_variable("thumbv8m.main-none-eabihf"),
-            "CARGO_TARGET_THUMBV8M_MAIN_NONE_EABIHF_LINKER"
-        );
+        let name = linker_variable("thumbv8m.main-none-eabihf");
+        assert_eq!(name, "CARGO_TARGET_THUMBV8M_MAIN_NONE_EABIHF_LINKER");
     }
 }

@@ -62,10 +62,8 @@ fn display_shows_the_simulators_picture_and_follows_the_keys() {
 
     let line = board.press(Key::Control).unwrap();
     assert!(line.starts_with("shading_lights: "), "{line}");
-    assert_shows(
-        &mut board,
-        &simulated::<ShadingLights>(&ShadingLights::CAMERA),
-    );
+    let next = simulated::<ShadingLights>(&ShadingLights::CAMERA);
+    assert_shows(&mut board, &next);
 }
 
 #[test]

@@ -53,13 +53,9 @@ fn library_and_scene_of_the_boards_demo_take_at_most_56_kb_of_flash_on_a_small_c
 
 #[test]
 fn without_a_sphere_a_cylinder_moves() {
-    let done = xtask("measure --moving columns --size 16x16");
-    assert_eq!((done.code, done.err.as_str()), (0, ""));
-    assert!(
-        done.out.contains("\ninstructions of a move: "),
-        "{}",
-        done.out
-    );
+    let Done { code, out, err } = xtask("measure --moving columns --size 16x16");
+    assert_eq!((code, &*err), (0, ""));
+    assert!(out.contains("\ninstructions of a move: "), "{out}");
 }
 
 #[test]

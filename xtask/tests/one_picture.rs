@@ -4,10 +4,9 @@
 use std::thread;
 
 use command_line::{Quality, Settings, Source};
-use embedded_graphics::geometry::Size;
 use frame_hash::FrameHash;
 use reflet::scenes;
-use xtask::measure::{CORES, Core, Scene, Size as Pixels};
+use xtask::measure::{CORES, Core, Scene, Size};
 use xtask::sweep::{Count, Setting, Sweep};
 
 const SIDE: u32 = 64;
@@ -35,7 +34,7 @@ fn are_the_same_pictures_as_here(core: &str, pictures: &[(&'static str, Quality)
     });
     let sweep = Sweep {
         core,
-        size: Pixels::new(SIDE, SIDE),
+        size: Size::new_equal(SIDE),
         scenes: scenes.collect(),
     };
     let mut pictures = pictures.iter();

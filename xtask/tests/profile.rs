@@ -8,6 +8,7 @@ use xtask::root;
 
 mod common;
 
+use Stage::{Primary, Reflection, Shading, Shadow};
 use common::{Done, assert_mistakes, xtask};
 
 const STAGE_NAMES: &str = "preparation spans primary shading shadow reflection output other";
@@ -81,13 +82,7 @@ fn mirrored_rays_are_told_from_the_first() {
         let mut task = task("m3", "mirror1", Size::new(16, 24), EXACT);
         task.settings.reflections = reflections;
         let sums: Sums = profile(&task).unwrap();
-        let stages = [
-            Stage::Primary,
-            Stage::Reflection,
-            Stage::Shading,
-            Stage::Shadow,
-        ];
-        stages.map(|stage| sums.stage(stage))
+        [Primary, Reflection, Shading, Shadow].map(|stage| sums.stage(stage))
     };
     let [primary, reflection, shading, shadow] = of(0);
     assert_eq!(reflection, 0);
@@ -102,12 +97,7 @@ fn mirrored_rays_are_told_from_the_first() {
 #[test]
 fn empty_scene_is_neither_shaded_nor_mirrored() {
     let sums = profile(&task("m33", "empty", Size::new(8, 4), EXACT)).unwrap();
-    let without = [
-        Stage::Primary,
-        Stage::Shading,
-        Stage::Shadow,
-        Stage::Reflection,
-    ];
+    let without = [Primary, Shading, Shadow, Reflection];
     let found = without.map(|stage| sums.stage(stage));
     assert_eq!(found, [0; 4], "every pixel has the same colour");
     assert!(sums.stage(Stage::Output) > 32 && sums.stage(Stage::Preparation) > 0);

@@ -55,10 +55,8 @@ fn beads(count: usize, mirrors: Mirrors) -> Vec<Value> {
     let place = |index: usize| {
         // The first turns are too narrow for more than one bead.
         let steps = if index == 0 { 0.0 } else { index as f64 + 1.75 };
-        let (away, angle) = (
-            APART * radius * (steps / PI).sqrt(),
-            (4.0 * PI * steps).sqrt(),
-        );
+        let away = APART * radius * (steps / PI).sqrt();
+        let angle = (4.0 * PI * steps).sqrt();
         [away * angle.cos(), away * angle.sin()]
     };
     let places: Vec<_> = (0..count).map(place).collect();
@@ -145,10 +143,8 @@ fn measured_text(text: &str) -> Figures {
 /// Checks that [`MANY`] beads cost less than `bar` times what [`FEW`] cost. A kernel that tests every
 /// sphere costs [`MANY`] / [`FEW`] times as much.
 fn assert_grows_less(bar: f64, mirrors: Mirrors, order: Order) {
-    assert_cost_less(
-        bar,
-        [FEW, MANY].map(|spheres| measured(spheres, mirrors, order)),
-    );
+    let figures = [FEW, MANY].map(|spheres| measured(spheres, mirrors, order));
+    assert_cost_less(bar, figures);
 }
 
 fn assert_cost_less(bar: f64, [few, many]: [Figures; 2]) {
@@ -184,8 +180,6 @@ fn order_of_the_beads_does_not_change_the_picture() {
 #[test]
 #[ignore = "long: two more firmware of many triangles"]
 fn ten_times_the_triangles_cost_less_than_four_times_as_much() {
-    assert_cost_less(
-        4.0,
-        [[5, 2], [10, 10]].map(|cells| measured_text(&net(cells))),
-    );
+    let figures = [[5, 2], [10, 10]].map(|cells| measured_text(&net(cells)));
+    assert_cost_less(4.0, figures);
 }

@@ -22,14 +22,10 @@ fn build(example: &str) -> PathBuf {
 
 /// Returns the stack that the program reports. Panics if its picture differs from this machine's.
 fn stack_of_right_picture(said: &str) -> u64 {
-    let start = format!(
-        "castle {SIDE}x{SIDE}: {SIDE} rows, hash {:016x}, stack ",
-        hash()
-    );
-    let bytes = said
-        .strip_prefix(&start)
-        .and_then(|rest| rest.strip_suffix(" bytes"))
-        .and_then(|bytes| bytes.parse().ok());
+    let hash = hash();
+    let start = format!("castle {SIDE}x{SIDE}: {SIDE} rows, hash {hash:016x}, stack ");
+    let rest = said.strip_prefix(&start);
+    let bytes = rest.and_then(|rest| rest.strip_suffix(" bytes")?.parse().ok());
     bytes.unwrap_or_else(|| panic!("{start} expected, and it said: {said}"))
 }
 

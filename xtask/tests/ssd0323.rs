@@ -6,10 +6,8 @@ mod ssd0323;
 
 use std::{cell::RefCell, rc::Rc};
 
-use embedded_graphics::Pixel;
-use embedded_graphics::draw_target::DrawTarget;
-use embedded_graphics::geometry::{Point, Size};
 use embedded_graphics::pixelcolor::Gray4;
+use embedded_graphics::prelude::*;
 use embedded_graphics::primitives::Rectangle;
 use embedded_hal::{digital, spi};
 
@@ -53,7 +51,6 @@ impl digital::Error for Broken {
     }
 }
 
-/// The SPI and the data/command pin.
 #[derive(Clone, Default)]
 struct Wires(Rc<RefCell<Wire>>);
 
@@ -111,8 +108,14 @@ fn display() -> (Ssd0323<Wires, Wires>, Rc<RefCell<Wire>>) {
     (display, wires.0)
 }
 
-fn commands(bytes: [u8; 6]) -> Vec<(char, u8)> {
-    bytes.map(|byte| ('c', byte)).to_vec()
+/// Returns what is sent for a window: its commands, then its pixels.
+fn window(commands: [u8; 6], data: &[u8]) -> Vec<(char, u8)> {
+    let data = data.iter().map(|byte| ('d', *byte));
+    commands
+        .map(|byte| ('c', byte))
+        .into_iter()
+        .chain(data)
+        .collect()
 }
 
 #[test]
@@ -125,54 +128,41 @@ fn row_is_sent_at_once_with_its_window_two_pixels_a_byte() {
         }
     });
     display.fill_contiguous(&area, colors).unwrap();
-    let mut expected = commands([0x15, 2, 3, 0x75, 9, 9]);
-    expected.extend([('d', 0x12), ('d', 0x34)]);
-    expected.extend(commands([0x15, 2, 3, 0x75, 10, 10]));
-    expected.extend([('d', 0x56), ('d', 0x78)]);
-    assert_eq!(wire.borrow().sent, expected);
+    let first = window([0x15, 2, 3, 0x75, 9, 9], &[0x12, 0x34]);
+    let second = window([0x15, 2, 3, 0x75, 10, 10], &[0x56, 0x78]);
+    assert_eq!(wire.borrow().sent, [first, second].concat());
 }
 
 #[test]
 fn pair_of_single_pixels_is_sent() {
     let (mut display, wire) = display();
-    let pixels =
-        [(126, 0xa), (127, 0xb)].map(|(x, grey)| Pixel(Point::new(x, 63), Gray4::new(grey)));
-    display.draw_iter(pixels).unwrap();
-    let mut expected = commands([0x15, 63, 63, 0x75, 63, 63]);
-    expected.push(('d', 0xab));
+    let pixel = |(x, grey)| Pixel(Point::new(x, 63), Gray4::new(grey));
+    display
+        .draw_iter([(126, 0xa), (127, 0xb)].map(pixel))
+        .unwrap();
+    let expected = window([0x15, 63, 63, 0x75, 63, 63], &[0xab]);
     assert_eq!(wire.borrow().sent, expected);
 }
 
 #[test]
 fn half_a_pair_is_refused() {
     let (mut display, wire) = display();
-    let lines = [
-        ((0, 0), 1),
-        ((1, 0), 2),
-        ((2, 5), 3),
-        ((127, 0), 2),
-        ((-1, 0), 2),
-    ];
-    for ((x, y), width) in lines {
+    for (x, y, width) in [(0, 0, 1), (1, 0, 2), (2, 5, 3), (127, 0, 2), (-1, 0, 2)] {
         let area = Rectangle::new(Point::new(x, y), Size::new(width, 1));
         let refused = display.fill_solid(&area, Gray4::new(15));
         assert_eq!(refused, Err(Error::HalfPair), "{area:?}");
     }
-    assert!(
-        wire.borrow().sent.len() <= 7,
-        "all pairs but one are refused whole"
-    );
+    let bytes = wire.borrow().sent.len();
+    assert!(bytes <= 7, "all pairs but one are refused whole");
 }
 
 #[test]
 fn what_lies_outside_is_left_out() {
     let (mut display, wire) = display();
     let area = Rectangle::new(Point::new(-2, -1), Size::new(4, 2));
-    display
-        .fill_contiguous(&area, (1..=8).map(Gray4::new))
-        .unwrap();
-    let mut expected = commands([0x15, 0, 0, 0x75, 0, 0]);
-    expected.push(('d', 0x78));
+    let colors = (1..=8).map(Gray4::new);
+    display.fill_contiguous(&area, colors).unwrap();
+    let expected = window([0x15, 0, 0, 0x75, 0, 0], &[0x78]);
     assert_eq!(wire.borrow().sent, expected);
     let outside = Rectangle::new(Point::new(128, 0), Size::new(8, 8));
     display.fill_solid(&outside, Gray4::new(15)).unwrap();
@@ -183,11 +173,9 @@ fn what_lies_outside_is_left_out() {
 fn fewer_colors_than_pixels_leave_the_rest_as_it_is() {
     let (mut display, wire) = display();
     let area = Rectangle::new(Point::zero(), Size::new(4, 2));
-    display
-        .fill_contiguous(&area, (1..=2).map(Gray4::new))
-        .unwrap();
-    let mut expected = commands([0x15, 0, 0, 0x75, 0, 0]);
-    expected.push(('d', 0x12));
+    let colors = (1..=2).map(Gray4::new);
+    display.fill_contiguous(&area, colors).unwrap();
+    let expected = window([0x15, 0, 0, 0x75, 0, 0], &[0x12]);
     assert_eq!(wire.borrow().sent, expected);
 }
 
@@ -215,11 +203,8 @@ fn error_of_spi_comes_back_from_the_call_that_draws() {
             'p' => Error::Pin(Broken),
             _ => Error::Bus(Broken),
         };
-        assert_eq!(
-            frame.draw(&mut display),
-            Err(expected),
-            "after {calls} calls"
-        );
+        let drawn = frame.draw(&mut display);
+        assert_eq!(drawn, Err(expected), "after {calls} calls");
         // The last call of a row only waits until the row is sent.
         let rows_sent = wire.borrow().sent.len() / (6 + 64);
         assert_eq!(rows_sent, (calls + 1) / 9, "nothing more is drawn");

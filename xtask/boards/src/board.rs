@@ -17,12 +17,23 @@ use crate::memory::Memory;
 use crate::run::{Run, Script};
 use crate::wires::{Pin, Wiring};
 
-/// A chip that is emulated.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ChipKind {
     Rp2040,
     Rp2350,
     Stm32f411,
+}
+
+impl ChipKind {
+    /// Address of the vector table in the flash: on an RP2040 the second stage of the boot loader is
+    /// before it.
+    pub(crate) fn vectors(self) -> u32 {
+        match self {
+            Self::Rp2040 => 0x1000_0100,
+            Self::Rp2350 => 0x1000_0000,
+            Self::Stm32f411 => 0x0800_0000,
+        }
+    }
 }
 
 /// A board with a panel and keys. The fields may be changed, to wire it wrongly.
@@ -34,7 +45,6 @@ pub struct Board {
     pub keys: &'static [(Key, Pin)],
 }
 
-/// Pins of the Pico-LCD-1.3.
 const PICO_WIRING: Wiring = Wiring {
     clock: 10,
     data: 11,
@@ -105,7 +115,6 @@ impl Board {
         }
     }
 
-    /// Returns the pin of a key.
     pub(crate) fn pin(&self, key: Key) -> Option<Pin> {
         let found = self.keys.iter().find(|it| it.0 == key);
         found.map(|it| it.1)

@@ -11,7 +11,6 @@ use crate::fault::Failure;
 /// Name that `rtt-target` and SEGGER give to the control block.
 const RTT: &str = "_SEGGER_RTT";
 
-/// A firmware, read from an ELF file.
 pub struct Firmware {
     /// Bytes that are flashed, each part with its address.
     pub parts: Vec<(u32, Vec<u8>)>,
@@ -20,7 +19,6 @@ pub struct Firmware {
 }
 
 impl Firmware {
-    /// Reads an ELF file.
     pub fn read(path: &Path) -> Result<Self, Failure> {
         let bytes = fs::read(path)?;
         Self::parse(&bytes).map_err(Failure::Program)

@@ -12,9 +12,8 @@ use crate::run::Script;
 /// Registers 0 to 7 and the flags N, Z, C, V and Q in the highest bits.
 pub type Registers = ([u32; 8], u32);
 
-/// Bytes of the vector table before the instructions, and where it begins on an RP2040.
+/// Bytes of the vector table before the instructions.
 const VECTORS: u32 = 8;
-const RP2040_VECTORS: u32 = 0x100;
 
 /// Executes instructions, given as halfwords, on the core of a chip. Registers 0 to 7 begin with
 /// these values.
@@ -27,10 +26,7 @@ pub fn execute(chip: ChipKind, code: &[u16], registers: [u32; 8]) -> Result<Regi
         ChipKind::Rp2350 => Board::PICO_2,
         ChipKind::Stm32f411 => Board::BLACK_PILL,
     };
-    let mut base = board.memory().flash_base();
-    if chip == ChipKind::Rp2040 {
-        base += RP2040_VECTORS;
-    }
+    let base = chip.vectors();
     let start = base + VECTORS;
     let vectors = [0x2000_1000, start | 1].map(u32::to_le_bytes);
     let code = code.iter().flat_map(|it| it.to_le_bytes());

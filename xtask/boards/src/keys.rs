@@ -8,7 +8,6 @@ use crate::wires::Pin;
 /// Time in microseconds for which a key is held, and of the pause after it.
 const HELD: u64 = 100_000;
 
-/// A key of a board.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Key {
     Up,
@@ -33,7 +32,6 @@ impl Presses {
         self.pins.push_back(pin);
     }
 
-    /// Whether all presses are finished.
     pub fn are_finished(&self) -> bool {
         self.pins.is_empty() && self.held.is_none()
     }

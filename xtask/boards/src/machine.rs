@@ -21,11 +21,6 @@ const TURN: u64 = 64;
 /// Turns after which keys and prints are looked at.
 const LOOK: u64 = 64;
 
-/// Offset of the vector table in the flash: on an RP2040 the second stage of the boot loader is
-/// before it.
-const RP2040_VECTORS: u32 = 0x100;
-
-/// A core and its time.
 struct Runner<C> {
     core: C,
     is_on: bool,
@@ -34,7 +29,6 @@ struct Runner<C> {
     instructions: u64,
 }
 
-/// A board that runs.
 pub struct Machine<C> {
     runners: Vec<Runner<C>>,
     system: System,
@@ -72,11 +66,9 @@ impl<C: Core> Machine<C> {
             microsecond: board.clock() / 1_000_000,
             aligned: board.chip == ChipKind::Rp2040,
         };
+        let cores = C::all(board.chip, &atomics);
         let mut machine = Self {
-            runners: C::all(board.chip, &atomics)
-                .into_iter()
-                .map(Runner::new)
-                .collect(),
+            runners: cores.into_iter().map(Runner::new).collect(),
             system,
             presses: Presses::default(),
             rtt: Rtt::new(firmware.rtt),
@@ -91,11 +83,7 @@ impl<C: Core> Machine<C> {
 
     /// Starts the first core as the boot ROM does.
     fn reset(&mut self, chip: ChipKind) {
-        let base = self.system.memory.flash_base();
-        let vectors = match chip {
-            ChipKind::Rp2040 => base + RP2040_VECTORS,
-            _ => base,
-        };
+        let vectors = chip.vectors();
         let word = |at| self.system.memory.read(vectors + at, 4).unwrap_or(0);
         let start = [vectors, word(0), word(4)];
         self.runners[0].core.start(&mut self.system, start);

@@ -15,7 +15,6 @@ impl Region {
     }
 }
 
-/// The memory of a chip.
 #[derive(Clone)]
 pub struct Memory {
     flash: Region,
@@ -30,11 +29,6 @@ impl Memory {
             flash: region(flash, vec![0xff; flash_size]),
             ram: region(ram, vec![0; ram_size]),
         }
-    }
-
-    /// Address of the first byte of the flash.
-    pub fn flash_base(&self) -> u32 {
-        self.flash.base
     }
 
     /// Writes bytes into the flash. Returns `None` if they do not fit.

@@ -66,7 +66,6 @@ const RESET: Settings = Settings {
     rows: [0, SIDE - 1],
 };
 
-/// The controller.
 pub struct Panel {
     settings: Settings,
     /// Command that takes arguments, and those that arrived.

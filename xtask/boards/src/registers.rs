@@ -63,6 +63,28 @@ pub struct Block<K: 'static> {
     pub registers: &'static [Register],
 }
 
+/// Returns a block that always answers, without registers.
+pub const fn block<K>(name: &'static str, kind: K, base: u32) -> Block<K> {
+    Block {
+        name,
+        kind,
+        base,
+        gate: None,
+        registers: &[],
+    }
+}
+
+impl<K: Copy> Block<K> {
+    pub const fn with(self, registers: &'static [Register]) -> Self {
+        Self { registers, ..self }
+    }
+
+    pub const fn behind(self, gate: Gate) -> Self {
+        let gate = Some(gate);
+        Self { gate, ..self }
+    }
+}
+
 /// Where an address lies: the kind of the block, and the offset in it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Place<K> {

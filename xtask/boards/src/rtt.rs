@@ -11,7 +11,6 @@ const READER: u32 = 40;
 /// Largest buffer that is believed.
 const LARGEST: u32 = 0x1_0000;
 
-/// A reader of RTT.
 #[derive(Default)]
 pub struct Rtt {
     block: Option<u32>,
@@ -19,7 +18,6 @@ pub struct Rtt {
 }
 
 impl Rtt {
-    /// Creates a reader of the control block at this address.
     pub fn new(block: Option<u32>) -> Self {
         let text = vec![];
         Self { block, text }
@@ -44,7 +42,6 @@ impl Rtt {
         memory.write(block + READER, writer, 4);
     }
 
-    /// Returns the lines so far.
     pub fn lines(&self) -> Vec<String> {
         let text = String::from_utf8_lossy(&self.text);
         text.lines().map(String::from).collect()

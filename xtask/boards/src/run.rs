@@ -66,7 +66,6 @@ impl Script {
     }
 }
 
-/// A picture on the panel.
 #[derive(Clone, Debug)]
 pub struct Picture {
     /// Pixels in RGB565, row by row from the top.

@@ -37,7 +37,6 @@ impl Serial {
         (self.sent - self.taken).saturating_sub(self.waiting(now))
     }
 
-    /// Takes a received byte.
     pub fn take(&mut self, now: u64) {
         self.taken += self.received(now).min(1);
     }

@@ -7,9 +7,9 @@ use rp2040_emu::core::Nvic;
 use rp2350_emu::threaded::CoreAtomics;
 
 use crate::chip::{Access, Chip, Effect};
-use crate::fault::{Fault, fault, require};
+use crate::fault::{Fault, require};
 use crate::memory::Memory;
-use crate::wires::Wires;
+use crate::wires::{Sent, Wires};
 
 /// Registers of a Cortex-M0+ that a firmware may use: of its interrupts, its vector table and the
 /// protection of its memory, which protects nothing here.
@@ -37,7 +37,6 @@ pub struct Private {
     pub event: bool,
 }
 
-/// Memory, peripherals and panel.
 pub struct System {
     pub memory: Memory,
     pub chip: Box<dyn Chip>,
@@ -89,22 +88,22 @@ impl System {
         }
     }
 
-    /// Returns the first fault.
     #[inline]
     pub fn check(&mut self) -> Result<(), Fault> {
-        match self.fault.take() {
-            Some(fault) => Err(fault),
-            None => Ok(()),
-        }
+        self.fault.take().map_or(Ok(()), Err)
     }
 
     /// Lets the DMA work until now.
     pub fn advance(&mut self) -> Result<(), Fault> {
         while let Some(sent) = self.chip.advance(&self.memory, self.now)? {
-            let time = self.now / self.microsecond;
-            self.wires.pass(self.chip.as_pins(), sent, time)?;
+            self.pass(sent)?;
         }
         Ok(())
+    }
+
+    fn pass(&mut self, sent: Sent) -> Result<(), Fault> {
+        let time = self.now / self.microsecond;
+        self.wires.pass(&*self.chip, sent, time)
     }
 
     /// Wakes a core that waits for an event.
@@ -150,38 +149,24 @@ impl System {
         );
         self.advance()?;
         match self.chip.write(access, value)? {
-            Effect::None => Ok(()),
+            Effect::None => {}
             Effect::Pins => {
                 let is_sending = self.chip.is_sending(self.now);
-                self.wires.change(self.chip.as_pins(), is_sending)
+                self.wires.change(&*self.chip, is_sending)?;
             }
-            Effect::Sent(sent) => {
-                let time = self.now / self.microsecond;
-                self.wires.pass(self.chip.as_pins(), sent, time)
-            }
-            Effect::Wake(core) => {
-                self.wake(core);
-                Ok(())
-            }
-            Effect::Stop => {
-                self.start = Some(None);
-                Ok(())
-            }
+            Effect::Sent(sent) => self.pass(sent)?,
+            Effect::Wake(core) => self.wake(core),
+            Effect::Stop => self.start = Some(None),
             Effect::Start(start) => {
                 self.start = Some(Some(start));
                 self.wake(0);
-                Ok(())
             }
         }
+        Ok(())
     }
 }
 
 /// Tests whether an address is in a region of registers.
 fn has_registers(address: u32) -> bool {
     matches!(address >> 28, 0x4 | 0x5 | 0xd)
-}
-
-/// Returns the fault of an instruction that the emulated core has not.
-pub fn not_modelled(what: &str) -> Fault {
-    fault!("{what} is not modelled")
 }

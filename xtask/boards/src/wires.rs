@@ -29,9 +29,7 @@ pub enum Role {
 
 /// The pins of a chip, as the firmware has set them.
 pub trait Pins {
-    /// Returns what a pin does.
     fn role(&self, pin: Pin) -> Role;
-    /// Returns the name of a pin on the board.
     fn name(&self, pin: Pin) -> String;
 }
 
@@ -55,7 +53,6 @@ pub struct Wiring {
     pub backlight: Pin,
 }
 
-/// The panel and its wires.
 pub struct Wires {
     pub panel: Panel,
     wiring: Wiring,
@@ -67,7 +64,6 @@ pub struct Wires {
 }
 
 impl Wires {
-    /// Wires a panel.
     pub fn new(wiring: Wiring) -> Self {
         Self {
             panel: Panel::new(),
@@ -114,30 +110,21 @@ impl Wires {
                 role(pins, pin)
             )
         };
-        let is = |part, pin: Pin, wanted: Role, purpose: &str| {
+        let (clock, data) = (Role::Clock { unit }, Role::Data { unit });
+        let (low, high) = (Role::Output(false), Role::Output(true));
+        let is_low = "an output that is low while a byte is sent";
+        for (part, pin, wanted, purpose) in [
+            ("clock", it.clock, clock, "the clock of the SPI"),
+            ("data", it.data, data, "the data of the SPI"),
+            ("reset", it.reset, high, "an output that is high"),
+            ("CS", it.chip_select, low, is_low),
+        ] {
             require!(
                 role(pins, pin) == wanted,
                 "{}, not {purpose}",
                 named(part, pin)
             );
-            Ok(())
-        };
-        is(
-            "clock",
-            it.clock,
-            Role::Clock { unit },
-            "the clock of the SPI",
-        )?;
-        is("data", it.data, Role::Data { unit }, "the data of the SPI")?;
-        let up = Role::Output(true);
-        is("reset", it.reset, up, "an output that is high")?;
-        let low = Role::Output(false);
-        is(
-            "CS",
-            it.chip_select,
-            low,
-            "an output that is low while a byte is sent",
-        )?;
+        }
         let Role::Output(is_data) = role(pins, it.data_command) else {
             return Err(Fault(named("D/C", it.data_command) + ", not an output"));
         };

@@ -11,7 +11,6 @@ use reflet::{Camera, Report};
 
 use crate::{Quality, Shading, Source};
 
-/// Settings of a picture: reflections, shading and quality.
 #[derive(Clone, Copy, Debug)]
 pub struct Settings {
     pub reflections: u8,
@@ -31,7 +30,6 @@ impl Settings {
     }
 }
 
-/// A picture to draw.
 struct Draw<'a> {
     scene: &'a FileScene,
     camera: &'a Camera,

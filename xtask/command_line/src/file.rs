@@ -33,10 +33,6 @@ enum Kind {
 impl OutputFile {
     /// Tests that a file can be written at `path`, or standard output if `path` is `-`. If there is a
     /// file already, `write` replaces it.
-    ///
-    /// # Errors
-    ///
-    /// Fails if nothing can be written there.
     pub fn at(path: &Path) -> Result<Self, Failure> {
         let shown = shown(path);
         let failed = |error| not_written(path, &error);
@@ -64,17 +60,12 @@ impl OutputFile {
     /// Tests that a PNG file can be written at `path`, or standard output if `path` is `-`.
     ///
     /// # Errors
-    ///
     /// Fails like [`OutputFile::at`], and if the name has the extension of another format.
     pub fn png_at(path: &Path) -> Result<Self, Failure> {
         Self::in_format(path, "png", "pictures")
     }
 
-    /// Tests that a GIF file can be written at `path`, or standard output if `path` is `-`.
-    ///
-    /// # Errors
-    ///
-    /// Fails like [`OutputFile::png_at`].
+    /// As [`OutputFile::png_at`], for a GIF file.
     pub fn gif_at(path: &Path) -> Result<Self, Failure> {
         Self::in_format(path, "gif", "films")
     }
@@ -93,10 +84,6 @@ impl OutputFile {
 
     /// Tests that a PNG file can be written. `write` takes the first free name of `NAME.png`,
     /// `NAME-2.png`, `NAME-3.png` and so on.
-    ///
-    /// # Errors
-    ///
-    /// Fails if no file can be created there.
     pub fn free_png(path: &Path) -> Result<Self, Failure> {
         let failed = |error| not_written(path, &error);
         let (_, tried) = create_numbered(path).map_err(failed)?;
@@ -140,7 +127,6 @@ pub fn shown(path: &Path) -> String {
     one_line(&path.to_string_lossy())
 }
 
-/// Tests whether the path stands for standard output.
 pub fn is_standard_output(path: &Path) -> bool {
     path == Path::new(STANDARD_OUTPUT)
 }
@@ -151,10 +137,6 @@ pub fn are_same_file(one: &Path, other: &Path) -> bool {
 }
 
 /// Prints the bytes on standard output. A closed pipe is no error.
-///
-/// # Errors
-///
-/// Fails if standard output cannot be written for another reason.
 pub fn print(bytes: impl AsRef<[u8]>) -> Result<(), Failure> {
     let mut output = io::stdout().lock();
     let printed = output

@@ -4,11 +4,7 @@ use reflet::host::line::escaped;
 
 use crate::Failure;
 
-/// Parses the command line. If it asks for help, prints the help and exits.
-///
-/// # Errors
-///
-/// Returns what is wrong with the command line, in one line.
+/// Parses the command line. If it asks for help, prints the help and exits. An error is one line.
 pub fn parse<A: clap::Parser>() -> Result<A, Failure> {
     A::try_parse().map_err(|error| {
         if !error.use_stderr() {

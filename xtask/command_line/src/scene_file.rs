@@ -10,9 +10,8 @@ pub fn materials(source: &str, scene: &Scene) -> Vec<String> {
     let parts = source.lines().skip_while(|line| *line != "scene! {");
     let mut names: Vec<String> = Vec::new();
     for line in parts {
-        let last = line
-            .strip_suffix(");")
-            .and_then(|it| it.rsplit(", ").next());
+        let part = line.strip_suffix(");");
+        let last = part.and_then(|it| it.rsplit(", ").next());
         let is_name = |it: &&str| it.starts_with(|letter: char| letter.is_ascii_uppercase());
         if let Some(name) = last.filter(is_name) {
             let name = name.to_lowercase().replace('_', " ");
@@ -21,11 +20,10 @@ pub fn materials(source: &str, scene: &Scene) -> Vec<String> {
             }
         }
     }
-    match names.len() == scene.materials.len() {
+    let count = scene.materials.len();
+    match names.len() == count {
         true => names,
-        false => (1..=scene.materials.len())
-            .map(|it| format!("material {it}"))
-            .collect(),
+        false => (1..=count).map(|it| format!("material {it}")).collect(),
     }
 }
 
@@ -36,25 +34,20 @@ pub fn text(name: &str, materials: &[String], scene: &Scene, camera: &Camera) ->
         format!(r#""name": {}"#, quoted(name)),
         format!(r#""camera": {}"#, view(camera)),
     ];
-    entries.extend(list(
-        "materials",
-        named.map(|(name, it)| material(name, it)),
-    ));
+    let named = named.map(|(name, it)| material(name, it));
+    entries.extend(list("materials", named));
     let lights = |is_sun: bool| {
-        let these = scene
-            .lights
-            .iter()
-            .filter(move |it| it.sun.is_some() == is_sun);
-        these.map(light)
+        let these = scene.lights.iter();
+        these
+            .filter(move |it| it.sun.is_some() == is_sun)
+            .map(light)
     };
     entries.extend(list("lights", lights(false)));
     entries.extend(list("suns", lights(true)));
     for kind in ["spheres", "planes", "cylinders", "discs", "triangles"] {
         let shapes = scene.shapes().filter(|it| it.list == kind);
-        entries.extend(list(
-            kind,
-            shapes.map(|it| shape(&it, &materials[it.material])),
-        ));
+        let shapes = shapes.map(|it| shape(&it, &materials[it.material]));
+        entries.extend(list(kind, shapes));
     }
     match &scene.sky {
         Some(it) => entries.push(format!(r#""sky": {}"#, sky(it))),
@@ -85,19 +78,14 @@ fn view(camera: &Camera) -> String {
 fn material(name: &str, material: &Material) -> String {
     let defaults = reflet::Material::new([0.0; 3]).described_coefficients();
     let given = [
-        material.ambient,
-        material.diffuse,
-        material.specular,
-        material.shininess,
-        material.mirror,
+        ("ambient", material.ambient),
+        ("diffuse", material.diffuse),
+        ("specular", material.specular),
+        ("shininess", material.shininess),
+        ("mirror", material.mirror),
     ];
-    let keys = ["ambient", "diffuse", "specular", "shininess", "mirror"];
     let mut fields = vec![("name", quoted(name)), ("color", vector(material.color))];
-    for ((key, value), default) in keys
-        .into_iter()
-        .zip(given)
-        .zip(defaults.map(Number::to_f64))
-    {
+    for ((key, value), default) in given.into_iter().zip(defaults.map(Number::to_f64)) {
         if value != default {
             fields.push((key, value.to_string()));
         }
@@ -114,11 +102,9 @@ fn checker(checker: &Checker) -> String {
 fn light(light: &Light) -> String {
     let [place, color] = [light.position, light.color].map(vector);
     let range = light.range.map(|range| format!(r#", "range": {range}"#));
+    let range = range.unwrap_or_default();
     match light.sun {
-        None => format!(
-            r#"{{ "position": {place}, "color": {color}{} }}"#,
-            range.unwrap_or_default()
-        ),
+        None => format!(r#"{{ "position": {place}, "color": {color}{range} }}"#),
         Some(0.0) => format!(r#"{{ "direction": {place}, "color": {color} }}"#),
         Some(disc) => format!(r#"{{ "direction": {place}, "color": {color}, "disc": {disc} }}"#),
     }
@@ -133,20 +119,18 @@ fn shape(shape: &Shape<'_>, material: &str) -> String {
     };
     // As source of Rust, `1.0` stands for 1.
     let short = |it: String| it.replace(".0,", ",").replace(".0]", "]");
-    let fields = shape
-        .fields
-        .iter()
-        .map(|field| short(format!("{field:?},")));
+    let fields = shape.fields.iter();
+    let fields = fields.map(|field| short(format!("{field:?},")));
     let fields = fields.map(|it| it.trim_end_matches(',').to_owned());
     let pairs = keys.iter().copied().zip(fields);
     // The normals of a triangle are an `Option`.
     let given = pairs.filter(|(_, it)| it != "None");
-    let plain = |it: String| {
+    let plain = |it: &str| {
         it.trim_start_matches("Some(")
             .trim_end_matches(')')
             .to_owned()
     };
-    let mut pairs: Vec<_> = given.map(|(key, it)| (key, plain(it))).collect();
+    let mut pairs: Vec<_> = given.map(|(key, it)| (key, plain(&it))).collect();
     pairs.push(("material", quoted(material)));
     object(&pairs)
 }
@@ -157,10 +141,11 @@ fn sky(sky: &Sky) -> String {
 }
 
 fn object(fields: &[(&str, String)]) -> String {
-    let fields = fields
-        .iter()
-        .map(|(key, value)| format!(r#""{key}": {value}"#));
-    format!("{{ {} }}", fields.collect::<Vec<_>>().join(", "))
+    let fields = fields.iter();
+    let fields: Vec<_> = fields
+        .map(|(key, value)| format!(r#""{key}": {value}"#))
+        .collect();
+    format!("{{ {} }}", fields.join(", "))
 }
 
 fn vector([x, y, z]: [f64; 3]) -> String {

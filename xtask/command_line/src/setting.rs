@@ -7,7 +7,6 @@ use reflet::host::reference;
 /// Parses the width and height of a picture, such as `320x240`.
 ///
 /// # Errors
-///
 /// Fails if the text is not two numbers from 1 to 65535 with an `x` between them.
 pub fn size(text: &str) -> Result<Size, &'static str> {
     let side = |digits: &str| match digits.bytes().all(|digit| digit.is_ascii_digit()) {

@@ -35,7 +35,6 @@ impl Named {
     /// file.
     ///
     /// # Errors
-    ///
     /// Fails if there is no such built-in scene, or if `chosen` is given with a built-in scene.
     pub fn of(scene: &Path, chosen: &Chosen) -> Result<Self, Failure> {
         let text = scene.to_string_lossy();
@@ -86,10 +85,6 @@ impl Source {
     }
 
     /// Returns a scene from its description in double precision.
-    ///
-    /// # Errors
-    ///
-    /// The library refuses the scene or the camera.
     pub fn described(
         name: String,
         scene: reference::Scene,
@@ -120,7 +115,6 @@ impl Source {
         })
     }
 
-    /// Returns the name of the scene.
     pub fn name(&self) -> &str {
         &self.name
     }
@@ -150,10 +144,6 @@ impl Source {
 }
 
 /// Converts the reference's camera to the library's.
-///
-/// # Errors
-///
-/// Fails if the camera shows nothing, as [`Camera::new`] says.
 pub fn exact(camera: &reference::Camera) -> Result<Camera, Error> {
     Camera::new(camera.position, camera.target, camera.up, camera.fov)
 }

@@ -6,7 +6,6 @@ pub struct Clock {
     overhead: u32,
 }
 
-/// A reading of the clock.
 #[derive(Clone, Copy)]
 pub struct Reading(u32);
 
@@ -19,7 +18,6 @@ impl Clock {
         clock
     }
 
-    /// Reads the clock.
     #[inline(always)]
     pub fn now(&self) -> Reading {
         Reading(source::now())

@@ -16,7 +16,6 @@ use crate::{Clock, report};
 /// A renderer, ready to be measured. What a program may learn only while it runs (camera, size,
 /// reflections) is hidden from the optimiser, for all contestants alike.
 pub trait Contestant {
-    /// Type of the scene that the renderer draws.
     type Scene;
     /// Type of a frame that is prepared for one size of picture.
     type Picture;
@@ -38,7 +37,6 @@ pub trait Contestant {
 
 /// View of a scene of the library: its camera.
 pub trait View {
-    /// Camera that the frame is seen with.
     const CAMERA: Camera;
 }
 
@@ -102,13 +100,9 @@ impl<S: Apart, V: View, Q: Quality, K: Shading, const N: u8> Contestant
 
 /// Scene, camera and settings that the float port renders.
 pub trait FloatView {
-    /// Scene that the float port renders.
     const SCENE: float_port::Scene<'static>;
-    /// Camera that the frame is seen with.
     const CAMERA: float_port::Camera;
-    /// Largest number of reflections of a path.
     const REFLECTIONS: u32;
-    /// Shading model of the float port.
     const SHADING: float_port::Shading;
 }
 

@@ -38,7 +38,6 @@ use tally::Tally;
 
 /// Task of a measuring program.
 pub struct Order {
-    /// Width and height of the picture.
     pub size: (u32, u32),
     /// Number that the program prints with its report; it tells the reports of two programs apart.
     pub ticket: u64,

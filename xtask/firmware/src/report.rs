@@ -2,7 +2,6 @@
 
 use semihosting::io::{Write, stdout};
 
-/// Writes text to the emulator's console.
 pub fn text(words: &str) {
     if let Ok(mut console) = stdout() {
         // Whoever reads the report misses what could not be written.

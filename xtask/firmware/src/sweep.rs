@@ -26,7 +26,6 @@ fn prepare<S: Apart, V: View, Q: Quality>(
         .prepare(Size::new(width, height))
 }
 
-/// Renders row `y` of a frame into `row`.
 #[inline(never)]
 fn draw_row<S: Apart, Q: Quality>(
     frame: &PreparedFrame<S, Q, BlinnPhong>,
@@ -40,7 +39,6 @@ fn draw_row<S: Apart, Q: Quality>(
 
 /// One setting of a sweep: reflections, size and quality of a frame.
 pub struct Run {
-    /// Largest number of reflections of a path.
     pub reflections: u8,
     /// Side of a drawn pixel, in pixels of the picture.
     pub scale: u32,

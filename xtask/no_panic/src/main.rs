@@ -6,10 +6,8 @@
 use core::{convert::Infallible, hint::black_box, panic::PanicInfo};
 
 use cortex_m_rt::entry;
-use embedded_graphics::Pixel;
-use embedded_graphics::draw_target::DrawTarget;
-use embedded_graphics::geometry::{OriginDimensions, Point, Size};
 use embedded_graphics::pixelcolor::{Gray4, Rgb565};
+use embedded_graphics::prelude::*;
 use embedded_graphics::primitives::Rectangle;
 use reflet::__private::Drawable;
 use reflet::budget::{FrontPoint, ParetoFront, QualityLevel};
@@ -63,7 +61,6 @@ fn draw_in_all_ways() {
     draw_within();
 }
 
-/// A limit for scenes without mirrors.
 struct Matte;
 
 impl NeedsLimit for Matte {
@@ -87,19 +84,12 @@ fn draw<Q: Quality, K: Shading, S: Drawable>(scene: &S, frame: FrameBuilder<'_, 
     seen(Ok(report));
     black_box(row);
     let corner = black_box(Point::new(-5, 60));
-    seen(rows.draw_area(
-        Rectangle::new(Point::zero(), rows.size()),
-        corner,
-        &mut Display,
-    ));
-    seen(rows.draw_area(
-        black_box(Rectangle::new(corner, Size::new(9, 9))),
-        corner,
-        &mut Display,
-    ));
+    let whole = Rectangle::new(Point::zero(), rows.size());
+    seen(rows.draw_area(whole, corner, &mut Display));
+    let part = black_box(Rectangle::new(corner, Size::new(9, 9)));
+    seen(rows.draw_area(part, corner, &mut Display));
 }
 
-/// Draws a frame with a budget.
 fn draw_within() {
     const POINT: FrontPoint = FrontPoint {
         prepare: 1000,
@@ -125,7 +115,6 @@ fn draw_within() {
     let _ = black_box(frame.draw_within(front, budget, || black_box(false), &mut Display));
 }
 
-/// Room for four of everything.
 type Four = room!(
     spheres: 4,
     planes: 4,
@@ -142,13 +131,8 @@ fn fill() -> Option<(Scene<Four>, Camera)> {
     let read = black_box("1.5e0").parse::<Number>().ok()?;
     let point = || black_box([0.5_f64, 1.5, 2.5]);
     let mut scene = black_box(RuntimeScene::<Four>::new());
-    let made = Material::from_numbers(
-        [number(); 3],
-        number(),
-        number(),
-        (number(), number()),
-        number(),
-    );
+    let (color, highlight) = ([number(); 3], (number(), number()));
+    let made = Material::from_numbers(color, number(), number(), highlight, number());
     let material = scene.add_material(made.ok()?).ok()?;
     let _ = black_box(scene.set_motion(point(), point()));
     let sphere = black_box(scene.add_sphere(point(), number(), material));
@@ -190,7 +174,6 @@ scene! {
     }
 }
 
-/// Moves the parts of a constant scene.
 fn moved() -> Option<MovingScene<Bounce>> {
     let number = || Number::from(black_box(1.5_f32));
     let point = || black_box([0.5_f64, 1.5, 2.5]);
@@ -198,12 +181,10 @@ fn moved() -> Option<MovingScene<Bounce>> {
     scene.set_sphere(Bounce::BALL, point(), number()).ok()?;
     let barrel = scene.set_cylinder(Bounce::BARREL, point(), point(), number(), number());
     barrel.ok()?;
-    scene
-        .set_disc(Bounce::LID, point(), point(), number())
-        .ok()?;
-    scene
-        .set_triangle(Bounce::SAIL, [point(); 3], black_box(None))
-        .ok()?;
+    let lid = scene.set_disc(Bounce::LID, point(), point(), number());
+    lid.ok()?;
+    let sail = scene.set_triangle(Bounce::SAIL, [point(); 3], black_box(None));
+    sail.ok()?;
     Some(black_box(scene))
 }
 

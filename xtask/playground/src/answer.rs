@@ -1,73 +1,35 @@
-//! Answers to the page: whether a call did its work, and a text, mostly JSON.
+//! Answers to the page: a text, mostly JSON, or why the call is refused.
 
 use serde::Serialize;
 
-/// The answer to a call.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub struct Answer {
-    /// Whether the call was refused. The text then has the reason.
-    pub is_refused: bool,
-    /// JSON, or Rust source.
-    pub text: String,
-}
+/// The text of the answer to a call: JSON or Rust source, and nothing if there is nothing to say. Of a
+/// call that is refused, it is a [`Refusal`] in JSON.
+pub type Answer = Result<String, String>;
 
 /// Why a call was refused, and where in the text of the scene, counted from 1.
 #[derive(Serialize)]
-pub(crate) struct Refusal {
-    pub(crate) error: String,
-    pub(crate) line: Option<usize>,
-    pub(crate) column: Option<usize>,
+struct Refusal {
+    error: String,
+    line: Option<usize>,
+    column: Option<usize>,
 }
 
-impl Refusal {
-    /// `place` is line and column.
-    pub(crate) fn new(reason: impl ToString, place: Option<(usize, usize)>) -> Self {
-        let (line, column) = place.unzip();
-        Self {
-            error: reason.to_string(),
-            line,
-            column,
-        }
-    }
+/// Refuses a call. `place` is line and column.
+pub(crate) fn refused(reason: impl ToString, place: Option<(usize, usize)>) -> String {
+    let (line, column) = place.unzip();
+    let error = reason.to_string();
+    json(&Refusal {
+        error,
+        line,
+        column,
+    })
 }
 
-impl Answer {
-    /// The work is done, and there is nothing to say.
-    pub(crate) fn nothing() -> Self {
-        Self::default()
-    }
-
-    pub(crate) fn done(answer: &impl Serialize) -> Self {
-        Self::text(json(answer))
-    }
-
-    pub(crate) fn text(text: String) -> Self {
-        Self {
-            is_refused: false,
-            text,
-        }
-    }
-
-    pub(crate) fn refused(refusal: &Refusal) -> Self {
-        Self {
-            is_refused: true,
-            text: json(refusal),
-        }
-    }
-
-    pub(crate) fn error(reason: impl ToString) -> Self {
-        Self::refused(&Refusal::new(reason, None))
-    }
-
-    pub(crate) fn no_scene() -> Self {
-        Self::error("no scene is open: open one first")
-    }
-
-    pub(crate) fn no_frame() -> Self {
-        Self::error("there is no frame: prepare one first")
-    }
+/// Refuses a call for a reason that is not in the text of the scene.
+pub(crate) fn error(reason: impl ToString) -> String {
+    refused(reason, None)
 }
 
-fn json(value: &impl Serialize) -> String {
+pub(crate) fn json(value: &impl Serialize) -> String {
     serde_json::to_string(value).expect("no map, and no number that JSON lacks")
 }

@@ -22,8 +22,9 @@ thread_local! {
 fn answer(ask: impl FnOnce(&mut Playground) -> Answer) -> u32 {
     STATE.with_borrow_mut(|state| {
         let answer = ask(&mut state.playground);
-        state.answer = answer.text;
-        answer.is_refused.into()
+        let is_refused = answer.is_err();
+        state.answer = answer.unwrap_or_else(|refusal| refusal);
+        is_refused.into()
     })
 }
 
@@ -62,7 +63,6 @@ pub extern "C" fn set_view(turn: i32, rise: i32, zoom: u32) -> u32 {
     answer(|playground| playground.set_view(turn, rise, zoom))
 }
 
-/// Answers with the camera of the view.
 #[unsafe(no_mangle)]
 pub extern "C" fn camera() -> u32 {
     answer(|playground| playground.camera())
@@ -121,7 +121,6 @@ pub extern "C" fn row_paths(y: u32) -> u32 {
     answer(|playground| playground.row_paths(y))
 }
 
-/// Answers with the Rust source of the scene.
 #[unsafe(no_mangle)]
 pub extern "C" fn rust() -> u32 {
     answer(|playground| playground.rust())

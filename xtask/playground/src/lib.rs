@@ -15,6 +15,7 @@ mod told;
 pub use answer::Answer;
 pub use drawing::Settings;
 
+use answer::{error, json};
 use drawing::Frame;
 use opened::Opened;
 
@@ -29,45 +30,30 @@ impl Playground {
     /// Reads the scene at `index` of a scene file; of an array, a negative index is the first scene. An open
     /// scene stays open if this one is refused.
     pub fn open(&mut self, text: &str, index: i32) -> Answer {
-        let opened = match Opened::read(text, index) {
-            Ok(opened) => opened,
-            Err(refusal) => return Answer::refused(&refusal),
-        };
-        let answer = Answer::done(&opened.facts());
+        let opened = Opened::read(text, index)?;
+        let facts = json(&opened.facts());
         (self.opened, self.frame) = (Some(opened), None);
-        answer
+        Ok(facts)
     }
 
     /// Sets the view: the file's camera after an orbit by `turn` and `rise`, in thousandths of a degree, with the field
     /// of view times `zoom` / 1000.
     pub fn set_view(&mut self, turn: i32, rise: i32, zoom: u32) -> Answer {
-        let Some(opened) = &mut self.opened else {
-            return Answer::no_scene();
-        };
-        match opened.set_view(turn, rise, zoom) {
-            Ok(()) => Answer::nothing(),
-            Err(error) => Answer::error(error),
-        }
+        let opened = self.opened.as_mut().ok_or_else(no_scene)?;
+        opened.set_view(turn, rise, zoom).map_err(error)?;
+        Ok(String::new())
     }
 
-    /// Returns the camera of the view.
     pub fn camera(&self) -> Answer {
-        match &self.opened {
-            Some(opened) => Answer::done(&opened.camera()),
-            None => Answer::no_scene(),
-        }
+        Ok(json(&self.scene()?.camera()))
     }
 
     /// Prepares a frame of the scene in its present view.
     pub fn frame(&mut self, settings: Settings) -> Answer {
-        let Some(opened) = &self.opened else {
-            return Answer::no_scene();
-        };
-        if let Err(error) = settings.check() {
-            return Answer::error(error);
-        }
+        let opened = self.scene()?;
+        settings.check().map_err(error)?;
         self.frame = Some(Frame::new(&opened.scene, &opened.view, settings));
-        Answer::nothing()
+        Ok(String::new())
     }
 
     /// Draws row `y` of the frame, and returns its pixels: red, green, blue and 255 each. Returns no pixels if
@@ -81,37 +67,28 @@ impl Playground {
 
     /// Returns what the rows have told: rays, the light that is missing, and the hash of the picture.
     pub fn finish(&self) -> Answer {
-        match (&self.opened, &self.frame) {
-            (Some(opened), Some(frame)) => Answer::done(&told::of(opened, frame)),
-            _ => Answer::no_frame(),
-        }
+        let (opened, frame) = self.both()?;
+        Ok(json(&told::of(opened, frame)))
     }
 
     /// Returns the path of pixel (`x`, `y`) of the frame, as `Exact` computes it.
     pub fn path(&self, x: u32, y: u32) -> Answer {
-        let Some((opened, frame)) = self.both() else {
-            return Answer::no_frame();
-        };
-        match paths::pixel(opened, &frame.settings, (x, y)) {
-            Some(path) => Answer::done(&path),
-            None => Answer::error("the picture has no such pixel"),
-        }
+        let (opened, frame) = self.both()?;
+        let path = paths::pixel(opened, &frame.settings, (x, y));
+        let path = path.ok_or_else(|| error("the picture has no such pixel"))?;
+        Ok(json(&path))
     }
 
     /// Returns the runs of row `y` of the frame: neighbours whose paths meet the same.
     pub fn row_paths(&self, y: u32) -> Answer {
-        match self.both() {
-            Some((opened, frame)) => Answer::done(&paths::row(opened, &frame.settings, y)),
-            None => Answer::no_frame(),
-        }
+        let (opened, frame) = self.both()?;
+        Ok(json(&paths::row(opened, &frame.settings, y)))
     }
 
     /// Compares the picture with so many reflections with that of [`accuracy::MANY`], both `Exact`, in the
     /// view, with the frame's shading.
     pub fn error_at(&self, width: u32, height: u32, reflections: u32) -> Answer {
-        let Some(opened) = &self.opened else {
-            return Answer::no_scene();
-        };
+        let opened = self.scene()?;
         let settings = Settings {
             width,
             height,
@@ -121,23 +98,28 @@ impl Playground {
             smooth: 1,
             display: 0,
         };
-        match settings.check() {
-            Ok(()) => Answer::done(&accuracy::measured(opened, settings)),
-            Err(error) => Answer::error(error),
-        }
+        settings.check().map_err(error)?;
+        Ok(json(&accuracy::measured(opened, settings)))
     }
 
     /// Returns the Rust source of the scene, with the camera of the view.
     pub fn rust(&self) -> Answer {
-        match &self.opened {
-            Some(opened) => Answer::text(opened.file.rust_source().camera(&opened.view).text()),
-            None => Answer::no_scene(),
-        }
+        let opened = self.scene()?;
+        Ok(opened.file.rust_source().camera(&opened.view).text())
     }
 
-    fn both(&self) -> Option<(&Opened, &Frame)> {
-        self.opened.as_ref().zip(self.frame.as_ref())
+    fn scene(&self) -> Result<&Opened, String> {
+        self.opened.as_ref().ok_or_else(no_scene)
     }
+
+    fn both(&self) -> Result<(&Opened, &Frame), String> {
+        let both = self.opened.as_ref().zip(self.frame.as_ref());
+        both.ok_or_else(|| error("there is no frame: prepare one first"))
+    }
+}
+
+fn no_scene() -> String {
+    error("no scene is open: open one first")
 }
 
 #[cfg(test)]

@@ -5,22 +5,19 @@ use reflet::host::reference;
 use reflet::{Camera, Error};
 use serde::Serialize;
 
-use crate::answer::Refusal;
+use crate::answer::{error, refused};
 use crate::place;
 
 /// Narrowest and widest field of view of the library, in degrees.
 const FIELDS_OF_VIEW: [f64; 2] = [0.001, 179.999];
 
-/// A scene that was read, and the view of it.
 pub(crate) struct Opened {
     pub(crate) file: SceneFile,
     pub(crate) scene: Box<FileScene>,
-    /// Names of all scenes of the file.
     names: Vec<String>,
     pub(crate) view: Camera,
 }
 
-/// What a page learns of an open scene.
 #[derive(Serialize)]
 pub(crate) struct Facts {
     name: Option<String>,
@@ -44,7 +41,7 @@ pub(crate) struct View {
 
 impl Opened {
     /// Reads the scene at `index`, the first if that is negative.
-    pub(crate) fn read(text: &str, index: i32) -> Result<Self, Refusal> {
+    pub(crate) fn read(text: &str, index: i32) -> Result<Self, String> {
         let files = SceneFile::parse_all(text).map_err(|error| refusal(&error, text))?;
         let names = files.iter().map(name).collect();
         let count = files.len();
@@ -54,7 +51,7 @@ impl Opened {
             _ => format!("there is no scene {index}: the file has {count}"),
         };
         let file = files.into_iter().nth(index);
-        let file = file.ok_or_else(|| Refusal::new(missing(), None))?;
+        let file = file.ok_or_else(|| error(missing()))?;
         let scene = file.build().map_err(|error| refusal(&error, text))?;
         let (_, camera) = file.reference();
         let view = exact(&camera).expect("the scene was built with this camera");
@@ -120,7 +117,7 @@ fn name(file: &SceneFile) -> String {
     file.name().unwrap_or_default().to_owned()
 }
 
-/// Returns the reason why a file is refused, and its place in the text.
-fn refusal(error: &FileError, text: &str) -> Refusal {
-    Refusal::new(error, place::of(error, text))
+/// Refuses a file, and says where in its text.
+fn refusal(error: &FileError, text: &str) -> String {
+    refused(error, place::of(error, text))
 }

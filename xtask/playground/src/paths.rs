@@ -74,16 +74,13 @@ pub(crate) fn pixel(opened: &Opened, settings: &Settings, at: (u32, u32)) -> Opt
     }?;
     let camera = Camera::from(&opened.view);
     let projection = Projection::new(&camera, [settings.width, settings.height]);
-    let lines = path
-        .steps
-        .iter()
-        .map(|step| line(opened, &projection, step));
+    let line = |step| line(opened, &projection, step);
     Some(Table {
         pixel: path.pixel,
         sum: path.sum,
         missed: path.end == End::Missed,
         background: path.background,
-        steps: lines.collect(),
+        steps: path.steps.iter().map(line).collect(),
         brightest: path.brightest,
         end: match path.end {
             End::Missed => "missed",

@@ -75,7 +75,6 @@ impl<'a> Scanner<'a> {
         }
     }
 
-    /// Skips the next value.
     fn skip(&mut self) {
         let mut depth = 0;
         while let Some(byte) = self.next() {

@@ -2,7 +2,6 @@
 
 use reflet::host::reference::Camera;
 
-/// A camera, and the size of its picture.
 pub(crate) struct Projection {
     position: [f64; 3],
     forward: [f64; 3],

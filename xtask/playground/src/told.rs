@@ -5,7 +5,6 @@ use serde::Serialize;
 
 use crate::opened::Opened;
 
-/// What a drawn frame tells.
 #[derive(Serialize)]
 pub(crate) struct Told {
     rays: u64,
@@ -15,7 +14,6 @@ pub(crate) struct Told {
     hash: Option<String>,
 }
 
-/// Returns what the rows of a frame have told.
 pub(crate) fn of(opened: &Opened, frame: &Frame) -> Told {
     let report = frame.report();
     Told {

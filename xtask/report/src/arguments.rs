@@ -7,7 +7,7 @@ use clap::{Parser, value_parser};
 use command_line::{Chosen, parse, size};
 use embedded_graphics::geometry::Size;
 use reflet::scenes;
-use xtask::measure::Core;
+use xtask::measure::{Core, words};
 use xtask::table::filled;
 
 /// Measures what scenes cost and lose under many settings, and writes a report of it.
@@ -61,25 +61,19 @@ impl Arguments {
         if let Some(name) = &self.chosen.name {
             command += &format!(" --scene {name}");
         }
-        command += &format!(" --core {} --size {}", self.core.name, self.size_words());
+        command += &format!(" --core {} --size {}", self.core.name, words(self.size));
         if self.reflections < u8::MAX {
             command += &format!(" --reflections {}", self.reflections);
         }
         command.replace(char::is_control, " ")
     }
-
-    /// Returns the size as it is written on the command line: `128x128`.
-    pub fn size_words(&self) -> String {
-        format!("{}x{}", self.size.width, self.size.height)
-    }
 }
 
 fn small_size(text: &str) -> Result<Size, &'static str> {
-    let found = size(text).ok();
-    let is_small = |size: &Size| size.width <= 1024 && size.height <= 1024;
-    found
-        .filter(is_small)
-        .ok_or("not a width and a height from 1 to 1024, such as 128x128")
+    match size(text) {
+        Ok(size) if size.width.max(size.height) <= 1024 => Ok(size),
+        _ => Err("not a width and a height from 1 to 1024, such as 128x128"),
+    }
 }
 
 fn after_help() -> String {

@@ -6,7 +6,7 @@ use xtask::table::filled;
 use crate::arguments::Arguments;
 use crate::point::Point;
 use crate::scene::Measured;
-use xtask::measure::Core;
+use xtask::measure::{Core, words};
 
 pub struct Page<'a> {
     pub arguments: &'a Arguments,
@@ -31,7 +31,7 @@ impl Page<'_> {
             ("file", self.sections[0].file.clone()),
             ("scenes", links.join(", ")),
             ("core", core.title.to_owned()),
-            ("size", self.arguments.size_words()),
+            ("size", words(self.arguments.size)),
             (
                 "sections",
                 self.sections.iter().map(|it| it.markdown(core)).collect(),

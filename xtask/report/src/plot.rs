@@ -43,11 +43,9 @@ impl Axis {
             // Rounded to thousandths, without the extra digits of binary fractions.
             _ => format!("{}", (1000.0 * value).round() / 1000.0),
         };
+        let ticks = ticks.filter(|it| range.contains(it));
         Self {
-            ticks: ticks
-                .filter(|it| range.contains(it))
-                .map(|it| (it, label(it)))
-                .collect(),
+            ticks: ticks.map(|it| (it, label(it))).collect(),
             range,
             is_logarithmic: true,
             pixels: ACROSS,
@@ -88,7 +86,6 @@ impl Axis {
     }
 }
 
-/// Returns the plot of a scene.
 pub fn scene(scene: &Measured) -> String {
     let (x, y) = (Axis::of_costs(scene), Axis::of_psnr(scene));
     let at = |point: &Point| (x.place(point.cost()), y.place(point.psnr));
@@ -139,18 +136,11 @@ impl Svg {
 
     fn axes(&mut self, title: &str, (x, y): (&Axis, &Axis)) {
         let ([left, right], [bottom, top]) = (ACROSS, UPRIGHT);
-        let mut grid = String::new();
-        grid.extend(
-            x.ticks
-                .iter()
-                .map(|it| format!("M{} {top}V{bottom}", x.place(it.0))),
-        );
-        grid.extend(
-            y.ticks
-                .iter()
-                .map(|it| format!("M{left} {}H{right}", y.place(it.0))),
-        );
-        self.path(&grid, "#ddd", 1);
+        let upright = |it: &(f64, _)| format!("M{} {top}V{bottom}", x.place(it.0));
+        let across = |it: &(f64, _)| format!("M{left} {}H{right}", y.place(it.0));
+        let upright: String = x.ticks.iter().map(upright).collect();
+        let across: String = y.ticks.iter().map(across).collect();
+        self.path(&(upright + &across), "#ddd", 1);
         self.path(&format!("M{left} {top}V{bottom}H{right}"), "#000", 1);
         for (value, label) in &x.ticks {
             self.write((x.place(*value), bottom + 18), "middle", label);

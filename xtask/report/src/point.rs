@@ -10,7 +10,6 @@ use xtask::sweep::{Count, Setting};
 pub struct Point {
     pub setting: Setting,
     pub count: Count,
-    /// Number of pixels of the picture.
     pub pixels: u64,
     /// PSNR of all pixels in decibels; infinite if no pixel differs.
     pub psnr: f64,
@@ -24,7 +23,6 @@ pub struct Point {
 }
 
 impl Point {
-    /// Returns the instructions a pixel.
     pub fn cost(&self) -> f64 {
         self.count.instructions as f64 / self.pixels as f64
     }

@@ -10,7 +10,7 @@ use rayon::ThreadPoolBuilder;
 use rayon::prelude::*;
 use reflet::host::compare::compare;
 use reflet::host::reference::{Picture, Shading, render};
-use xtask::measure::{Scene, Size};
+use xtask::measure::Scene;
 use xtask::sweep::{Count, Setting, Sweep};
 
 use crate::arguments::Arguments;
@@ -32,7 +32,6 @@ pub struct Measured {
     pub points: Vec<Point>,
 }
 
-/// A scene and the settings to measure with it.
 struct Plan<'a> {
     path: &'a Path,
     source: Source,
@@ -44,10 +43,9 @@ struct Plan<'a> {
 pub fn report(arguments: &Arguments) -> Result<()> {
     let sources = sources(arguments)?;
     write::make(&arguments.out)?;
-    let plans = arguments.scenes.par_iter().zip(sources);
-    let plans: Vec<Plan> = plans
-        .map(|(path, source)| Plan::new(path, source, arguments))
-        .collect();
+    let pairs = arguments.scenes.par_iter().zip(sources);
+    let plans = pairs.map(|(path, source)| Plan::new(path, source, arguments));
+    let plans: Vec<Plan> = plans.collect();
     let settings: usize = plans.iter().map(|plan| plan.settings.len()).sum();
     let bar = bar(settings);
     // Two at a time. Builds for the same core run one after another.
@@ -110,7 +108,7 @@ impl<'a> Plan<'a> {
         let scene = Scene::open(self.path, &arguments.chosen)?;
         let sweep = Sweep {
             core,
-            size: Size::new(arguments.size.width, arguments.size.height),
+            size: arguments.size,
             scenes: vec![(scene, self.settings.clone())],
         };
         let mut counts = Vec::new();
@@ -170,16 +168,15 @@ fn settings(last: u8) -> Vec<Setting> {
     let steps = [10, 12, 16, 24, 32, 48, 64, 96, 128, 192];
     let some = (0..=DENSE).chain(steps).filter(|number| *number < last);
     let numbers: Vec<u8> = some.chain([last]).collect();
-    let kinds = SCALES
-        .into_iter()
-        .flat_map(|scale| [(Quality::Fast, scale), (Quality::Exact, scale)]);
-    let settings = kinds.flat_map(|(quality, scale)| {
-        let setting = move |&reflections| Setting {
-            quality,
-            reflections,
-            scale,
-        };
-        numbers.iter().map(setting)
-    });
-    settings.collect()
+    let mut settings = Vec::new();
+    for scale in SCALES {
+        for quality in [Quality::Fast, Quality::Exact] {
+            settings.extend(numbers.iter().map(|&reflections| Setting {
+                quality,
+                reflections,
+                scale,
+            }));
+        }
+    }
+    settings
 }

@@ -5,6 +5,7 @@ use std::path::Path;
 
 use anyhow::{Context, Result};
 use command_line::shown;
+use xtask::measure::words;
 
 use crate::arguments::Arguments;
 use crate::page::{Page, Section};
@@ -21,10 +22,9 @@ pub fn all(arguments: &Arguments, scenes: &[Measured]) -> Result<()> {
         let path = arguments.out.join(name);
         fs::write(&path, text).with_context(|| format!("{} cannot be written", path.display()))
     };
-    write(
-        "points.csv",
-        &table::csv(arguments.core.name, &arguments.size_words(), scenes)?,
-    )?;
+    let size = words(arguments.size);
+    let table = table::csv(arguments.core.name, &size, scenes)?;
+    write("points.csv", &table)?;
     write("front.rs", &source::source(&arguments.command(), scenes))?;
     let mut sections = Vec::new();
     for scene in scenes {

@@ -24,18 +24,10 @@ fn report(folder: &TempDir, arguments: &str) -> Output {
         .expect("the command runs")
 }
 
-fn reported(folder: &TempDir, arguments: &str) {
-    let output = report(folder, arguments);
-    let complaints = String::from_utf8_lossy(&output.stderr);
-    assert_eq!(output.status.code(), Some(0), "{complaints}");
-}
-
 fn rows(folder: &Path) -> Vec<Row> {
     let mut reader = csv::Reader::from_path(folder.join("points.csv")).expect("there is a table");
-    let rows = reader
-        .deserialize()
-        .map(|row| row.expect("a row of the table"));
-    rows.collect()
+    let rows = reader.deserialize();
+    rows.map(|row| row.expect("a row of the table")).collect()
 }
 
 fn number(row: &Row, column: &str) -> f64 {
@@ -51,9 +43,8 @@ fn assert_is_sound(rows: &[Row], scenes: &[&str]) {
         assert!(fixed.len() >= 6, "{scene}");
         assert_front_is_monotone(&fixed);
         // In the finest quality with all reflections, only rounding errors are left.
-        let finest = fixed
-            .iter()
-            .filter(|row| row["quality"] == "exact" && row["scale"] == "1");
+        let is_fine = |row: &&&Row| row["quality"] == "exact" && row["scale"] == "1";
+        let finest = fixed.iter().filter(is_fine);
         let finest = finest.max_by_key(|row| row["reflections"].parse::<u8>().unwrap());
         let finest = finest.expect("exact is tried, too");
         assert!(number(finest, "within1") >= 0.98, "{finest:?}");
@@ -64,20 +55,16 @@ fn assert_is_sound(rows: &[Row], scenes: &[&str]) {
 /// of the front.
 fn assert_front_is_monotone(fixed: &[&Row]) {
     let cost = "instructions_per_pixel";
-    let mut front: Vec<_> = fixed
-        .iter()
-        .filter(|row| row["on_front"] == "true")
-        .collect();
+    let is_on_front = |row: &&&Row| row["on_front"] == "true";
+    let mut front: Vec<_> = fixed.iter().filter(is_on_front).collect();
     assert!(!front.is_empty());
     front.sort_by(|a, b| {
         let by_cost = number(a, cost).total_cmp(&number(b, cost));
         by_cost.then(number(a, "psnr").total_cmp(&number(b, "psnr")))
     });
     for pair in front.windows(2) {
-        assert!(
-            number(pair[0], "psnr") <= number(pair[1], "psnr"),
-            "{pair:?}"
-        );
+        let [one, next] = [pair[0], pair[1]].map(|row| number(row, "psnr"));
+        assert!(one <= next, "{pair:?}");
     }
     for row in fixed {
         // The table's numbers are rounded.
@@ -95,10 +82,9 @@ fn kept_report_is_sound() {
     let rows = rows(Path::new(REPORT));
     assert!(rows.iter().all(|row| row["size"] == "128x128"));
     assert_is_sound(&rows, &NAMES);
-    let size: u64 = fs::read_dir(REPORT)
-        .expect("the folder can be read")
-        .map(|entry| entry.unwrap().metadata().unwrap().len())
-        .sum();
+    let files = fs::read_dir(REPORT).expect("the folder can be read");
+    let sizes = files.map(|entry| entry.unwrap().metadata().unwrap().len());
+    let size: u64 = sizes.sum();
     assert!(size < 1_000_000, "{size}");
     assert_page_is_whole(Path::new(REPORT), &NAMES);
 }
@@ -127,17 +113,17 @@ fn assert_page_is_whole(folder: &Path, scenes: &[&str]) {
 fn table_of_a_scene_has_the_columns_of_the_kept_one() {
     let folder = tempfile::tempdir().unwrap();
     let arguments = "corner1 --core m3 --size 16x16 --reflections 1 --out made";
-    reported(&folder, arguments);
+    let output = report(&folder, arguments);
+    let complaints = String::from_utf8_lossy(&output.stderr);
+    assert_eq!(output.status.code(), Some(0), "{complaints}");
     let made = folder.path().join("made");
     let rows = rows(&made);
     assert_is_sound(&rows, &["corner1"]);
     let kept = self::rows(Path::new(REPORT));
     assert!(rows[0].keys().eq(kept[0].keys()));
     let front = fs::read_to_string(made.join("front.rs")).unwrap();
-    assert!(
-        front.contains("pub const CORNER1: ParetoFront = ParetoFront::new(&["),
-        "{front}"
-    );
+    let start = "pub const CORNER1: ParetoFront = ParetoFront::new(&[";
+    assert!(front.contains(start), "{front}");
 }
 
 #[test]

@@ -44,13 +44,11 @@ pub enum Kind {
     LongMultiplyAdd,
     Divide,
     Load,
-    /// Load of this many words.
     LoadMany(u32),
     /// Store with an immediate offset.
     Store,
     /// Store with an offset from a register.
     StoreIndexed,
-    /// Store of this many words.
     StoreMany(u32),
     /// Branch to a fixed address, with or without a condition.
     Branch,
@@ -68,9 +66,7 @@ pub enum Kind {
     FloatDivideOrRoot,
     /// Move of two words between core registers and float registers.
     FloatMovePair,
-    /// Load of this many words into float registers.
     FloatLoad(u32),
-    /// Store of this many words from float registers.
     FloatStore(u32),
     /// Load or store of this many words, from a list of float registers.
     FloatMany(u32),

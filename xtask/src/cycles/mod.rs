@@ -9,7 +9,7 @@ mod decode;
 mod timing;
 mod trace;
 
-use std::{fs, ops::ControlFlow, path::Path};
+use std::{fs, path::Path};
 
 use anyhow::{Context, Result, ensure};
 
@@ -69,28 +69,20 @@ pub fn watch(
     let file = object::File::parse(&*bytes).with_context(unreadable)?;
     let mut code = Code::of(&file)?;
     let mut watch = Watch::over(trace::functions(&file, wanted));
-    let (mut is_seen, mut broken) = (false, None);
+    let mut is_seen = false;
     // The last two executed addresses, while the watched functions run.
     let mut past: [Option<u32>; 2] = [None; 2];
     emulator.trace(program, |next| {
         if let [before, Some(now)] = past {
             is_seen = true;
-            if let Err(error) = see(&mut code, Executed { before, now, next }) {
-                broken = Some(error);
-                return ControlFlow::Break(());
-            }
+            see(&mut code, Executed { before, now, next })?;
         }
         past = match watch.sees(next, &code) {
             true => [past[1], Some(next)],
             false => [None; 2],
         };
-        ControlFlow::Continue(())
+        Ok(())
     })?;
-    match broken {
-        Some(error) => Err(error),
-        None => {
-            ensure!(is_seen, "none of what is wanted was executed");
-            Ok(())
-        }
-    }
+    ensure!(is_seen, "none of what is wanted was executed");
+    Ok(())
 }

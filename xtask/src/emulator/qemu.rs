@@ -5,7 +5,7 @@
 //! hangs in a fault, is a [`Failure`] that repeats the firmware's last output and names the fault.
 //! This module knows no particular firmware.
 
-use std::{env, ffi::OsStr, ops::ControlFlow, path::Path, process::ExitStatus, time::Duration};
+use std::{env, ffi::OsStr, path::Path, process::ExitStatus, time::Duration};
 
 use image::RgbImage;
 use serde::Serialize;
@@ -69,23 +69,23 @@ impl Qemu {
     }
 
     /// Runs a firmware one instruction at a time and calls `see` with the address of each. Stops
-    /// when the firmware ends by itself or `see` returns `Break`.
+    /// when the firmware ends by itself or `see` fails.
     pub fn trace(
         self,
         firmware: &Path,
-        mut see: impl FnMut(u32) -> ControlFlow<()>,
-    ) -> Result<(), Failure> {
+        mut see: impl FnMut(u32) -> anyhow::Result<()>,
+    ) -> anyhow::Result<()> {
         let stepping = self.one_by_one()?;
         let logged = self.args(["-d", "exec,nochain"]).args(stepping);
         let mut running = logged.boot(firmware)?;
         while let Some(line) = running.receive()? {
-            match executed(&line).map(&mut see) {
-                Some(ControlFlow::Break(())) => return Ok(()),
-                Some(ControlFlow::Continue(())) => {}
+            match executed(&line) {
+                Some(address) => see(address)?,
                 None => running.said.push(line),
             }
         }
-        running.end().map(|_| ())
+        running.end()?;
+        Ok(())
     }
 
     /// Boots a firmware without a window, and returns while it runs.
@@ -357,14 +357,9 @@ mod tests {
     #[test]
     fn core_in_a_fault_is_told_from_one_that_runs() {
         let registers = |state| format!("R14=fffffff9 R15=000004d2\nXPSR={state:08x} -ZC- A\n");
-        assert_eq!(
-            whereabouts(&registers(0x6100_0003)).unwrap(),
-            "it is in HardFault at 0x000004d2"
-        );
-        assert_eq!(
-            whereabouts(&registers(0x6100_0000)).unwrap(),
-            "it is at 0x000004d2"
-        );
+        let place = |state| whereabouts(&registers(state)).unwrap();
+        assert_eq!(place(0x6100_0003), "it is in HardFault at 0x000004d2");
+        assert_eq!(place(0x6100_0000), "it is at 0x000004d2");
         assert_eq!(whereabouts(" pc       80000000\n"), None);
     }
 
@@ -420,9 +415,7 @@ mod tests {
             without: None,
         };
         let missing = Qemu::new("qemu-system-abacus", &ABACUS).run(Path::new("firmware"));
-        assert_eq!(
-            missing.unwrap_err().to_string(),
-            "abacus: missing; by hand: thread beads: out of reach"
-        );
+        let words = "abacus: missing; by hand: thread beads: out of reach";
+        assert_eq!(missing.unwrap_err().to_string(), words);
     }
 }

@@ -16,7 +16,6 @@ pub struct Monitor {
 }
 
 impl Monitor {
-    /// Connects to the monitor that listens at a socket.
     pub fn connect(socket: &Path) -> Result<Self, Error> {
         /// Time limit for an answer. The monitor answers in milliseconds, on a busy machine in some
         /// more.
@@ -38,7 +37,6 @@ impl Monitor {
         Ok(monitor)
     }
 
-    /// Executes one command and returns its result.
     pub fn execute(&mut self, command: &str, arguments: Value) -> Result<Value, Error> {
         let request = json!({ "execute": command, "arguments": arguments });
         writeln!(self.stream.get_mut(), "{request}")?;
@@ -108,13 +106,9 @@ mod tests {
         drop(monitor);
         let asked = serde_json::Deserializer::from_reader(asked).into_iter();
         let asked: Vec<Value> = asked.map(Result::unwrap).collect();
-        assert_eq!(
-            asked,
-            [
-                json!({ "execute": "qmp_capabilities", "arguments": {} }),
-                json!({ "execute": "query-status", "arguments": {} }),
-            ]
-        );
+        let commands = ["qmp_capabilities", "query-status"];
+        let expected = commands.map(|it| json!({ "execute": it, "arguments": {} }));
+        assert_eq!(asked, expected);
     }
 
     #[test]
@@ -124,11 +118,9 @@ mod tests {
             "{\"return\": {}}\n",
             "{\"error\": {\"class\": \"GenericError\", \"desc\": \"no screen\"}}\n",
         ));
-        let refusal = monitor
-            .unwrap()
-            .execute("screendump", json!({}))
-            .unwrap_err();
-        assert_eq!(refusal.to_string(), "QEMU refuses `screendump`: no screen");
+        let refusal = monitor.unwrap().execute("screendump", json!({}));
+        let words = "QEMU refuses `screendump`: no screen";
+        assert_eq!(refusal.unwrap_err().to_string(), words);
     }
 
     #[test]

@@ -80,9 +80,6 @@ pub struct Choice {
 
 impl Choice {
     /// Returns the measurement that the arguments ask for.
-    ///
-    /// # Errors
-    /// [`Misuse`](crate::misuse::Misuse) where the scene cannot be used.
     pub fn task(&self) -> Result<Task> {
         Ok(Task {
             core: self.core.unwrap_or(Core::M3),

@@ -3,7 +3,6 @@
 /// A build profile of the package `xtask/firmware`.
 #[derive(Debug, PartialEq, Eq)]
 pub struct BuildProfile {
-    /// Name of the build profile in tables.
     pub name: &'static str,
     /// Arguments of `cargo build` that choose the build profile.
     pub arguments: &'static [&'static str],

@@ -6,7 +6,6 @@ use crate::{cycles::Timing, emulator::qemu::Qemu};
 
 #[derive(Debug, PartialEq, Eq)]
 pub struct Core {
-    /// Its name on the command line.
     pub name: &'static str,
     /// Name of the processor core in text, such as `Cortex-M3`.
     pub title: &'static str,

@@ -4,7 +4,8 @@ use anyhow::{Context, Result};
 use command_line::one_line;
 use serde::{Deserialize, Serialize};
 
-use super::{Weight, outcome::Outcome, task::Task};
+use super::{Weight, outcome::Outcome, pixels, task::Task, words};
+use crate::table::{cell, rounded};
 
 /// One row. In JSON the keys are the names of the fields.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -19,7 +20,6 @@ pub struct Figures {
     /// Executed instructions of the whole frame, preparation included, over its pixels.
     pub instructions_per_pixel: f64,
     pub prepare_instructions: u64,
-    /// The most executed instructions that one row took.
     pub worst_row_instructions: u64,
     /// Number of the row that took the most instructions, from 0 at the top.
     pub worst_row: u32,
@@ -42,7 +42,7 @@ impl Figures {
         Self {
             core: task.core.name.to_owned(),
             scene: task.scene.name().to_owned(),
-            size: settings.size.to_string(),
+            size: words(settings.size),
             reflections: settings.reflections,
             shading: settings.shading.name().to_owned(),
             quality: settings.quality.name().to_owned(),
@@ -58,22 +58,14 @@ impl Figures {
         }
     }
 
-    pub(super) fn set_cycles(&mut self, per_instruction: f64) {
-        self.cycles_per_pixel = Some(tenths(per_instruction * self.instructions_per_pixel));
-    }
-
     pub fn json(&self) -> Result<String> {
         serde_json::to_string(self).context("figures are plain")
     }
 }
 
-/// Returns the instructions of a frame over its pixels.
 pub(super) fn per_pixel(task: &Task, outcome: &Outcome) -> f64 {
-    tenths(outcome.instructions() as f64 / task.settings.size.pixels() as f64)
-}
-
-fn tenths(number: f64) -> f64 {
-    (10.0 * number).round() / 10.0
+    let instructions = outcome.instructions() as f64;
+    rounded(instructions / pixels(task.settings.size) as f64, 1)
 }
 
 pub fn table(rows: &[Figures]) -> String {
@@ -96,8 +88,7 @@ pub fn table(rows: &[Figures]) -> String {
             row.ram.to_string(),
             row.stack.to_string(),
             row.hash.clone(),
-            row.cycles_per_pixel
-                .map_or_else(|| "-".to_owned(), |cycles| format!("{cycles:.0}")),
+            cell(row.cycles_per_pixel.map(|it| format!("{it:.0}"))),
         ]
     }));
     aligned(&cells)

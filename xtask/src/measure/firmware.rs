@@ -23,7 +23,6 @@ pub const RUN_LIMIT: Duration = Duration::from_secs(10 * 60);
 /// Bytes of a linked program.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Weight {
-    /// Bytes of machine code in a firmware.
     pub code: u64,
     /// Bytes in flash: code, constants, and first values of variables.
     pub flash: u64,
@@ -32,7 +31,6 @@ pub struct Weight {
 }
 
 impl Weight {
-    /// Returns how many bytes more this program has than another.
     fn beyond(self, other: Self) -> Self {
         Self {
             code: self.code.saturating_sub(other.code),
@@ -67,7 +65,6 @@ pub(super) struct Program {
 struct Place {
     /// The job, and the source of a scene from a file.
     jobs: PathBuf,
-    /// Cargo's target folder.
     target: PathBuf,
 }
 
@@ -194,49 +191,53 @@ fn write(path: &Path, text: &str) -> Result<()> {
     fs::write(path, text).with_context(|| format!("cannot write {}", path.display()))
 }
 
-/// A hash of all that a program puts into flash: the same for programs that do the same, wherever
-/// their sources lie and whatever their comments say.
-pub(crate) fn fingerprint(program: &Path) -> Result<u64> {
+/// Calls `see` for each section of a program that flash or RAM holds, with its flags.
+fn sections(
+    program: &Path,
+    mut see: impl FnMut(&object::Section, u64) -> Result<()>,
+) -> Result<()> {
     let unreadable = || format!("cannot read {}", program.display());
     let bytes = fs::read(program).with_context(unreadable)?;
     let program = object::File::parse(&*bytes).with_context(unreadable)?;
-    let mut hasher = DefaultHasher::new();
     for section in program.sections() {
         let SectionFlags::Elf { sh_flags } = section.flags() else {
             bail!("a firmware is an ELF file");
         };
         if sh_flags & u64::from(elf::SHF_ALLOC) != 0 {
-            (section.name()?, section.address(), section.data()?).hash(&mut hasher);
+            see(&section, sh_flags)?;
         }
     }
+    Ok(())
+}
+
+/// A hash of all that a program puts into flash: the same for programs that do the same, wherever
+/// their sources lie and whatever their comments say.
+pub(crate) fn fingerprint(program: &Path) -> Result<u64> {
+    let mut hasher = DefaultHasher::new();
+    sections(program, |section, _| {
+        (section.name()?, section.address(), section.data()?).hash(&mut hasher);
+        Ok(())
+    })?;
     Ok(hasher.finish())
 }
 
 /// The bytes of a program that flash and RAM hold.
 pub fn weigh(program: &Path) -> Result<Weight> {
-    let unreadable = || format!("cannot read {}", program.display());
-    let bytes = fs::read(program).with_context(unreadable)?;
-    let program = object::File::parse(&*bytes).with_context(unreadable)?;
     let mut weight = Weight {
         code: 0,
         flash: 0,
         ram: 0,
     };
-    for section in program.sections() {
-        let SectionFlags::Elf { sh_flags } = section.flags() else {
-            bail!("a firmware is an ELF file");
-        };
+    sections(program, |section, flags| {
         // The start-up code's names for what is left over.
-        let is_room = matches!(section.name()?, ".stack" | ".heap");
-        if sh_flags & u64::from(elf::SHF_ALLOC) == 0 || is_room {
-            continue;
+        if matches!(section.name()?, ".stack" | ".heap") {
+            return Ok(());
         }
-        let has_content = section.file_range().is_some();
-        weight.flash += if has_content { section.size() } else { 0 };
-        let is_code = sh_flags & u64::from(elf::SHF_EXECINSTR) != 0;
-        weight.code += if is_code { section.size() } else { 0 };
-        let is_variable = sh_flags & u64::from(elf::SHF_WRITE) != 0;
-        weight.ram += if is_variable { section.size() } else { 0 };
-    }
+        let size_if = |is_counted| if is_counted { section.size() } else { 0 };
+        weight.flash += size_if(section.file_range().is_some());
+        weight.code += size_if(flags & u64::from(elf::SHF_EXECINSTR) != 0);
+        weight.ram += size_if(flags & u64::from(elf::SHF_WRITE) != 0);
+        Ok(())
+    })?;
     Ok(weight)
 }

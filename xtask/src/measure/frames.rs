@@ -11,8 +11,10 @@ use serde::{Deserialize, Serialize};
 use super::speed::{Board, SIZE};
 use super::{Core, Quality, Scene, Task, record};
 use crate::owned::{ALL, Owned};
-use crate::table::{markdown, with_table};
+use crate::table::{cell, markdown, rounded, row, with_table};
 use crate::{kept, root};
+
+const FILE: &str = "docs/measured/frames.jsonl";
 
 /// Scenes in files, which come first: people know them at sight.
 const FILES: [&str; 5] = ["harbour", "harbour_sun", "matt3", "chrome3", "pybadge"];
@@ -20,7 +22,6 @@ const FILES: [&str; 5] = ["harbour", "harbour_sun", "matt3", "chrome3", "pybadge
 /// Scenes in the table of README.md.
 const SHOWN: [&str; 3] = ["harbour", "columns", "castle"];
 
-/// A line of the file.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Kept {
@@ -34,7 +35,7 @@ pub fn renew() -> Result<()> {
     let mut lines = Vec::new();
     for board in ALL {
         for scene in FILES.into_iter().chain(scenes::NAMES) {
-            let frames_per_second = hundredths(1.0 / estimated(board, scene)?);
+            let frames_per_second = rounded(1.0 / estimated(board, scene)?, 2);
             println!("{}, {scene}: {frames_per_second:.2}", board.title);
             lines.push(Kept {
                 board: board.title.to_owned(),
@@ -43,7 +44,7 @@ pub fn renew() -> Result<()> {
             });
         }
     }
-    kept::write_lines(&file(), &lines)?;
+    kept::write_lines(FILE, &lines)?;
     let readme = root().join("README.md");
     let old = fs::read_to_string(&readme).context("cannot read README.md")?;
     let new =
@@ -71,52 +72,34 @@ pub fn estimated(board: &'static Owned, scene: &str) -> Result<f64> {
 }
 
 pub fn read() -> Result<Vec<Kept>> {
-    kept::read(&file(), "measure --frames")
-}
-
-fn file() -> PathBuf {
-    root().join("docs/measured/frames.jsonl")
-}
-
-fn hundredths(number: f64) -> f64 {
-    (100.0 * number).round() / 100.0
+    kept::read(FILE, "measure --frames")
 }
 
 /// Formats the table of README.md: a row for each board, a column for each scene.
 pub fn readme_table(kept: &[Kept]) -> String {
-    let head = SHOWN.map(|scene| format!("`{scene}`"));
-    let head: Vec<_> = ["board".to_owned()].into_iter().chain(head).collect();
-    let mut rows: Vec<_> = ALL
-        .iter()
-        .map(|board| {
-            let cells = SHOWN.map(|scene| cell(kept, board.title, scene));
-            [vec![board.title.to_owned()], cells.to_vec()].concat()
-        })
-        .collect();
-    rows.push(
-        ["ESP32-C3", "no published timings", "", ""]
-            .map(str::to_owned)
-            .to_vec(),
-    );
-    markdown(1, &head, &rows)
+    let head = row("board", SHOWN.map(|scene| format!("`{scene}`")));
+    let boards = ALL.iter().map(|board| {
+        let cells = SHOWN.map(|scene| frames_per_second(kept, board.title, scene));
+        row(board.title, cells)
+    });
+    let esp = ["no published timings", "", ""].map(str::to_owned);
+    markdown(1, &head, boards.chain([row("ESP32-C3", esp)]))
 }
 
 /// Formats the table of docs/boards.md: a row for each scene, a column for each board.
 pub fn page_table(kept: &[Kept]) -> String {
-    let boards = ALL.iter().map(|board| board.title.to_owned());
-    let head: Vec<_> = ["scene".to_owned()].into_iter().chain(boards).collect();
+    let head = row("scene", ALL.map(|board| board.title.to_owned()));
     let rows = FILES.into_iter().chain(scenes::NAMES).map(|scene| {
-        let cells = ALL.iter().map(|board| cell(kept, board.title, scene));
-        [scene.to_owned()].into_iter().chain(cells).collect()
+        row(
+            scene,
+            ALL.map(|board| frames_per_second(kept, board.title, scene)),
+        )
     });
-    markdown(1, &head, &rows.collect::<Vec<_>>())
+    markdown(1, &head, rows)
 }
 
-fn cell(kept: &[Kept], board: &str, scene: &str) -> String {
+fn frames_per_second(kept: &[Kept], board: &str, scene: &str) -> String {
     let mut lines = kept.iter();
     let line = lines.find(|line| line.board == board && line.scene == scene);
-    line.map_or_else(
-        || "-".to_owned(),
-        |line| format!("{:.2}", line.frames_per_second),
-    )
+    cell(line.map(|line| format!("{:.2}", line.frames_per_second)))
 }

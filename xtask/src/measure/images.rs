@@ -60,10 +60,8 @@ fn folder() -> Result<&'static Path> {
 /// A hash of all that firmware is made of, apart from its job, and of the compiler's version.
 pub fn sources() -> Result<u64> {
     let mut hasher = DefaultHasher::new();
-    Program::new("rustc")
-        .args(["-vV"])
-        .read()?
-        .hash(&mut hasher);
+    let version = Program::new("rustc").args(["-vV"]).read()?;
+    version.hash(&mut hasher);
     for path in SOURCES {
         add(&root().join(path), &mut hasher)?;
     }

@@ -94,10 +94,10 @@ pub fn summary() -> String {
         rows.push((seconds, what, firmware));
     }
     rows.sort_by(|one, other| other.0.total_cmp(&one.0));
-    let sums = sums.into_iter();
-    let mut text: String = sums
-        .map(|(what, (count, seconds))| format!("{seconds:>8.1}  {count} of {what}\n"))
-        .collect();
+    let mut text = String::new();
+    for (what, (count, seconds)) in sums {
+        text += &format!("{seconds:>8.1}  {count} of {what}\n");
+    }
     let (boards, images): (Vec<_>, Vec<_>) = rows.into_iter().partition(|row| row.1 == BOARD);
     let named = images.into_iter().take(NAMED).chain(boards);
     text.extend(named.map(|(seconds, what, name)| format!("{seconds:>8.1}  {what} {name}\n")));

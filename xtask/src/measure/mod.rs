@@ -30,16 +30,17 @@ pub mod yardstick;
 
 use anyhow::Result;
 use command_line::json_line;
+pub use embedded_graphics::geometry::Size;
 
 pub use self::cores::{CORES, Core};
 pub(crate) use self::firmware::fingerprint;
 pub use self::firmware::{RUN_LIMIT, Weight, is_counted, weigh, weight, with_program};
 pub use self::images::sources;
 pub use self::outcome::{Outcome, run as outcome};
-pub use self::task::{Quality, Settings, Shading, Size, Task};
+pub use self::task::{Quality, Settings, Shading, Task, pixels, words};
 pub use self::{arguments::Arguments, figures::Figures, scene::Scene};
 use crate::cycles::{self, Estimate};
-use crate::print;
+use crate::{print, table::rounded};
 
 pub fn run(arguments: &Arguments) -> Result<()> {
     if arguments.frames {
@@ -77,7 +78,8 @@ pub fn run(arguments: &Arguments) -> Result<()> {
 pub fn measure(task: &Task) -> Result<Figures> {
     let mut figures = count(task)?;
     if let Some(estimate) = estimate(&small(task, figures.instructions_per_pixel))? {
-        figures.set_cycles(estimate.per_instruction());
+        let cycles = estimate.per_instruction() * figures.instructions_per_pixel;
+        figures.cycles_per_pixel = Some(rounded(cycles, 1));
     }
     Ok(figures)
 }

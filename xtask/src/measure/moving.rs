@@ -19,16 +19,12 @@ pub struct MovingFigures {
     pub frame: Figures,
     /// Executed instructions of one move, such as `set_sphere`.
     pub move_instructions: u64,
-    /// Flash of the constant scene.
     pub constant_flash: u64,
     /// Executed instructions a pixel of the constant scene, preparation included.
     pub constant_instructions_per_pixel: f64,
 }
 
 /// Measures a task with a shape that moves and prints the figures.
-///
-/// # Errors
-/// [`Misuse`] if nothing can move.
 pub fn run(task: &Task, is_json: bool) -> Result<()> {
     let figures = measure(task)?;
     let text = match is_json {
@@ -47,12 +43,10 @@ pub fn measure(task: &Task) -> Result<MovingFigures> {
     if task.settings.quality == Quality::Float {
         return Err(Misuse::new("nothing moves in the float port").into());
     }
-    let with = |moves| {
-        let scene = task.scene.with_motion(moves)?;
-        Ok::<_, anyhow::Error>(Task {
-            scene,
-            ..task.clone()
-        })
+    let with = |moves| -> Result<Task> {
+        let mut task = task.clone();
+        task.scene = task.scene.with_motion(moves)?;
+        Ok(task)
     };
     let moving = with(true)?;
     let (frame, still) = (super::measure(&moving)?, super::count(&with(false)?)?);
@@ -103,10 +97,8 @@ mod tests {
 
     #[test]
     fn move_is_found_in_what_the_firmware_says() {
-        assert_eq!(
-            moved("noise\nmoved instructions=00000000000000ff\nmeasured a=1"),
-            Some(255)
-        );
+        let said = "noise\nmoved instructions=00000000000000ff\nmeasured a=1";
+        assert_eq!(moved(said), Some(255));
         assert_eq!(moved("measured instructions=00ff"), None);
     }
 }

@@ -1,18 +1,18 @@
 //! The kept figures of scenes in which a shape moves: `docs/measured/moving.jsonl`, and their table.
 
-use std::path::PathBuf;
-
 use anyhow::Result;
 use serde::{Deserialize, Serialize};
 
+use super::Size;
 use super::cores::CORES;
 use super::moving::{MovingFigures, measure};
 use super::scene::Scene;
-use super::task::{Quality, Size, Task};
+use super::task::{Quality, Task};
+use crate::kept;
 use crate::table::markdown;
-use crate::{kept, root};
 
-/// Scenes and cores of which figures are kept.
+const FILE: &str = "docs/measured/moving.jsonl";
+
 const SCENES: [&str; 3] = ["castle", "mirror1", "primitives"];
 pub const CORE_NAMES: [&str; 2] = ["m0", "m3"];
 const SIZE: Size = Size::new(64, 64);
@@ -58,16 +58,11 @@ pub fn renew() -> Result<()> {
             rows.push(Kept::from(measure(&task)?));
         }
     }
-    kept::write_lines(&file(), &rows)
+    kept::write_lines(FILE, &rows)
 }
 
-/// Reads the kept figures of moving scenes.
 pub fn read() -> Result<Vec<Kept>> {
-    kept::read(&file(), "measure --all")
-}
-
-fn file() -> PathBuf {
-    root().join("docs/measured/moving.jsonl")
+    kept::read(FILE, "measure --all")
 }
 
 /// Formats the kept figures as a table of docs/boards.md.
@@ -95,5 +90,5 @@ pub fn table(rows: &[Kept]) -> String {
             format!("{} ({percent:.1} %)", row.flash),
         ]
     });
-    markdown(2, &HEAD.map(str::to_owned), &rows.collect::<Vec<_>>())
+    markdown(2, &HEAD, rows)
 }

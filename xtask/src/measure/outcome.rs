@@ -17,7 +17,6 @@ pub struct Outcome {
     pub worst_row: (u32, u64),
     /// Most bytes of stack at a time.
     pub stack: u64,
-    /// Hash of the pixels of the frame.
     pub hash: u64,
 }
 
@@ -48,7 +47,6 @@ impl Outcome {
         self.halves.iter().sum()
     }
 
-    /// Instructions of the whole frame.
     pub fn instructions(&self) -> u64 {
         self.prepare + self.drawing()
     }

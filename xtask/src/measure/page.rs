@@ -6,7 +6,7 @@ use super::cores::{CORES, Core};
 use super::figures::Figures;
 use super::frames;
 use super::moving_record::{self, Kept};
-use crate::table::{filled, markdown};
+use crate::table::{cell, filled, markdown, row};
 
 pub fn write(rows: &[Figures], moving: &[Kept], frames: &[frames::Kept]) -> String {
     let page = Page(rows);
@@ -53,10 +53,7 @@ impl Page<'_> {
 
     fn preparation(&self, core: &str, scene: &str) -> String {
         let row = self.row(core, scene, "fast");
-        row.map_or_else(
-            || "-".to_owned(),
-            |row| row.prepare_instructions.to_string(),
-        )
+        cell(row.map(|row| row.prepare_instructions.to_string()))
     }
 
     /// Formats a table with a row for each scene and a column for each core.
@@ -95,12 +92,6 @@ fn by_scene(
     columns: impl IntoIterator<Item = String>,
     cells: impl Fn(&str) -> Vec<Option<String>>,
 ) -> String {
-    let head: Vec<_> = ["scene".to_owned()].into_iter().chain(columns).collect();
-    let rows = scenes::NAMES.map(|scene| {
-        let mut row = vec![scene.to_owned()];
-        let cells = cells(scene).into_iter();
-        row.extend(cells.map(|cell| cell.unwrap_or_else(|| "-".to_owned())));
-        row
-    });
-    markdown(1, &head, &rows)
+    let rows = scenes::NAMES.map(|scene| row(scene, cells(scene).into_iter().map(cell)));
+    markdown(1, &row("scene", columns), rows)
 }

@@ -10,8 +10,10 @@ use serde::{Deserialize, Serialize};
 
 use super::build_profile::PROFILES;
 use super::{Core, Quality, Scene, Size, Task, count};
-use crate::table::{markdown, with_table};
+use crate::table::{markdown, row, with_table};
 use crate::{kept, root};
+
+const FILE: &str = "docs/measured/profiles.jsonl";
 
 /// Scenes from which build profiles are measured: a large one and a small one.
 const SCENES: [&str; 2] = ["castle", "corner1"];
@@ -19,10 +21,8 @@ const SCENES: [&str; 2] = ["castle", "corner1"];
 /// Size of the pictures from which build profiles are measured: as in docs/boards.md.
 const SIZE: Size = Size::new(64, 64);
 
-/// The first column of the tables; the columns of the scenes follow.
-const FIRST_COLUMN: &str = "profile";
-
-/// One line. In JSON the keys are the names of the fields.
+/// One line: figures in a profile, each as in [`Figures`](super::Figures). In JSON the keys are the names of
+/// the fields.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Row {
@@ -32,13 +32,9 @@ pub struct Row {
     pub size: String,
     pub reflections: u8,
     pub quality: String,
-    /// Executed instructions of the whole frame, preparation included, over its pixels.
     pub instructions_per_pixel: f64,
-    /// Bytes of code and constants that belong to the library and the scene.
     pub flash: u64,
-    /// Most bytes of stack in use at a time.
     pub stack: u64,
-    /// FNV-1a, 64 bits, of the frame's RGB8 bytes.
     pub hash: String,
 }
 
@@ -54,7 +50,7 @@ pub fn renew() -> Result<()> {
         rows.push(row);
     }
     ensure!(draw_the_same(&rows), "profiles draw different pictures");
-    kept::write_lines(&kept_rows(), &rows)?;
+    kept::write_lines(FILE, &rows)?;
     for (name, prefix, table) in pages(&rows) {
         let old = fs::read_to_string(file(name)).with_context(|| format!("cannot read {name}"))?;
         let new = with_table(&old, prefix, &table)
@@ -90,11 +86,7 @@ pub fn tasks() -> Vec<Task> {
 
 /// The rows that the repository keeps, in the order of [`tasks`].
 pub fn read() -> Result<Vec<Row>> {
-    kept::read(&kept_rows(), "measure --profiles")
-}
-
-fn kept_rows() -> PathBuf {
-    file("docs/measured/profiles.jsonl")
+    kept::read(FILE, "measure --profiles")
 }
 
 fn file(name: &str) -> PathBuf {
@@ -151,16 +143,11 @@ fn table<const N: usize>(
     names: [&str; N],
     cells: impl Fn(&Row) -> [String; N],
 ) -> String {
-    let mut head = vec![FIRST_COLUMN.to_owned()];
-    for scene in SCENES {
-        head.extend(names.map(|name| format!("{scene} {name}")));
-    }
-    let lines = rows.chunks(SCENES.len()).map(|scenes| {
-        let mut line = vec![scenes[0].profile.clone()];
-        line.extend(scenes.iter().flat_map(&cells));
-        line
-    });
-    markdown(1, &head, &lines.collect::<Vec<_>>())
+    let columns = SCENES.map(|scene| names.map(|name| format!("{scene} {name}")));
+    let head = row("profile", columns.into_iter().flatten());
+    let lines = rows.chunks(SCENES.len());
+    let lines = lines.map(|scenes| row(&scenes[0].profile, scenes.iter().flat_map(&cells)));
+    markdown(1, &head, lines)
 }
 
 fn whole(number: f64) -> String {
@@ -169,6 +156,7 @@ fn whole(number: f64) -> String {
 
 #[cfg(test)]
 mod tests {
+    use super::super::words;
     use super::*;
 
     fn rows(flash: u64) -> Vec<Row> {
@@ -176,7 +164,7 @@ mod tests {
             profile: profile.to_owned(),
             core: "m3".to_owned(),
             scene: scene.to_owned(),
-            size: SIZE.to_string(),
+            size: words(SIZE),
             reflections: 4,
             quality: "fast".to_owned(),
             instructions_per_pixel,

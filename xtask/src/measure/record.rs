@@ -1,15 +1,16 @@
 //! The figures that are kept in the repository: every built-in scene on every core, a file a core
 //! in `docs/measured`, and the page `docs/boards.md` made of them.
 
-use std::{path::PathBuf, thread};
+use std::thread;
 
 use anyhow::Result;
 use reflet::scenes;
 
+use super::Size;
 use super::cores::{CORES, Core};
 use super::figures::Figures;
 use super::scene::Scene;
-use super::task::{Quality, Size, Task};
+use super::task::{Quality, Task};
 use super::{frames, measure, moving_record, page};
 use crate::{kept, root};
 
@@ -23,9 +24,9 @@ pub fn renew(core: Option<&'static Core>) -> Result<()> {
     let renewed: Vec<Result<()>> = thread::scope(|scope| {
         let cores = CORES.iter().filter(is_meant);
         let threads: Vec<_> = cores.map(|core| scope.spawn(|| renew_core(core))).collect();
-        let results = threads.into_iter().map(|thread| thread.join());
-        results
-            .map(|result| result.expect("no measurement panics"))
+        let threads = threads.into_iter();
+        threads
+            .map(|it| it.join().expect("no measurement panics"))
             .collect()
     });
     renewed.into_iter().collect::<Result<()>>()?;
@@ -35,12 +36,10 @@ pub fn renew(core: Option<&'static Core>) -> Result<()> {
     renew_page()
 }
 
-/// Writes docs/boards.md from the kept figures.
 pub(super) fn renew_page() -> Result<()> {
     kept::write(&root().join("docs/boards.md"), &page()?)
 }
 
-/// Returns the text of docs/boards.md from the kept figures.
 fn page() -> Result<String> {
     let rows = CORES.iter().map(read).collect::<Result<Vec<_>>>()?;
     Ok(page::write(
@@ -79,8 +78,8 @@ pub fn read(core: &Core) -> Result<Vec<Figures>> {
     kept::read(&file(core), &format!("measure --all --core {}", core.name))
 }
 
-fn file(core: &Core) -> PathBuf {
-    root().join(format!("docs/measured/{}.jsonl", core.name))
+fn file(core: &Core) -> String {
+    format!("docs/measured/{}.jsonl", core.name)
 }
 
 #[cfg(test)]

@@ -33,9 +33,6 @@ pub struct Moving {
 
 impl Scene {
     /// The scene that the command line names.
-    ///
-    /// # Errors
-    /// [`Misuse`] where there is no such scene or it cannot be used.
     pub fn open(scene: &Path, chosen: &Chosen) -> Result<Self> {
         match Named::of(scene, chosen).map_err(Misuse::new)? {
             Named::BuiltIn(name) => Ok(Self::BuiltIn(name)),
@@ -44,18 +41,12 @@ impl Scene {
     }
 
     /// The scene of a file that is only a text, and need not have been written anywhere.
-    ///
-    /// # Errors
-    /// [`Misuse`] where the text cannot be used.
     pub fn parse(text: &str) -> Result<Self> {
         Ok(scene_source::parse(text)?.into())
     }
 
     /// The same scene with a motion box around one of its shapes. Unless the shape `moves`, it is a
     /// constant scene.
-    ///
-    /// # Errors
-    /// [`Misuse`] if the scene has no bounded shape.
     pub fn with_motion(&self, moves: bool) -> Result<Self> {
         let exact = self.reference();
         let (source, shape) = scene_source::with_motion(self.name(), (&exact.0, &exact.1))?;

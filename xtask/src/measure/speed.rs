@@ -11,7 +11,8 @@ use serde_json::json;
 use super::figures::per_pixel;
 use super::outcome::Outcome;
 use super::task::Task;
-use super::{Size, estimate, outcome, small};
+use super::{Size, estimate, outcome, pixels, small, words};
+use crate::table::rounded;
 use crate::{cycles::Timing, misuse::Misuse, owned::Owned};
 
 /// Bits of a pixel on the bus: RGB565.
@@ -75,7 +76,6 @@ impl Board {
         self.board.is_some() || self.clock.is_some()
     }
 
-    /// Returns the clock in MHz.
     fn megahertz(&self) -> f64 {
         let clock = self.board.map(|it| it.board.clock() as f64 / 1e6);
         clock.or(self.clock).unwrap_or(1.0)
@@ -89,7 +89,7 @@ impl Board {
     fn sending(&self, pixels: u64) -> f64 {
         let pixels = pixels as f64;
         match self.board {
-            Some(board) => 1e-3 * board.sending * pixels / SIZE.pixels() as f64,
+            Some(board) => 1e-3 * board.sending * pixels / self::pixels(SIZE) as f64,
             None => self.bus.map_or(0.0, |bus| BITS * pixels / (1e6 * bus)),
         }
     }
@@ -110,7 +110,7 @@ impl Board {
         let cycles = self.instructions(&outcome) as f64 * estimate.per_instruction();
         Ok(Speed {
             tracing: cycles / (1e6 * self.megahertz()),
-            sending: self.sending(task.settings.size.pixels()),
+            sending: self.sending(pixels(task.settings.size)),
             has_dma: self.board.is_some_and(|board| board.has_dma),
         })
     }
@@ -126,15 +126,16 @@ impl Board {
     /// Returns the estimate in words, or as a line of JSON.
     pub(super) fn report(&self, task: &Task, is_json: bool) -> Result<String> {
         let speed = self.speed(task)?;
-        let (scene, size, core) = (task.scene.name(), task.settings.size, task.core);
+        let (scene, core) = (task.scene.name(), task.core);
+        let size = words(task.settings.size);
         let quality = task.settings.quality.name();
         let clock = self.megahertz();
         if is_json {
             let line = json!({
-                "core": core.name, "scene": scene, "size": size.to_string(), "quality": quality,
+                "core": core.name, "scene": scene, "size": size, "quality": quality,
                 "board": self.board.map(|board| board.name), "clock": clock, "cores": self.cores(),
-                "bus": self.bus, "frames_per_second": rounded(1.0 / speed.frame()),
-                "tracing_ms": rounded(1e3 * speed.tracing), "sending_ms": rounded(1e3 * speed.sending),
+                "bus": self.bus, "frames_per_second": rounded(1.0 / speed.frame(), 2),
+                "tracing_ms": rounded(1e3 * speed.tracing, 2), "sending_ms": rounded(1e3 * speed.sending, 2),
             });
             return Ok(json_line(&line.to_string()));
         }
@@ -165,15 +166,10 @@ impl Board {
 }
 
 impl Speed {
-    /// Returns the seconds of a whole frame.
     pub fn frame(self) -> f64 {
         match self.has_dma {
             true => self.tracing.max(self.sending),
             false => self.tracing + self.sending,
         }
     }
-}
-
-fn rounded(number: f64) -> f64 {
-    (100.0 * number).round() / 100.0
 }

@@ -1,10 +1,8 @@
 //! What is measured: which scene on which core, with which settings; and the job it makes for
 //! the firmware.
 
-use std::fmt;
 use std::hash::{DefaultHasher, Hash, Hasher};
 use std::path::Path;
-use std::str::FromStr;
 
 use clap::{
     Args, ValueEnum,
@@ -13,37 +11,17 @@ use clap::{
 };
 pub use command_line::Shading;
 use command_line::{Quality as Fixed, size};
+use embedded_graphics::geometry::Size;
 
 use super::{build_profile::BuildProfile, cores::Core, float_source, scene::Scene};
 
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Size {
-    pub width: u32,
-    pub height: u32,
+/// Returns a size as the command line takes it, such as `64x64`.
+pub fn words(size: Size) -> String {
+    format!("{}x{}", size.width, size.height)
 }
 
-impl Size {
-    pub const fn new(width: u32, height: u32) -> Self {
-        Self { width, height }
-    }
-
-    pub fn pixels(self) -> u64 {
-        u64::from(self.width) * u64::from(self.height)
-    }
-}
-
-impl fmt::Display for Size {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{}x{}", self.width, self.height)
-    }
-}
-
-impl FromStr for Size {
-    type Err = &'static str;
-
-    fn from_str(text: &str) -> Result<Self, Self::Err> {
-        size(text).map(|size| Self::new(size.width, size.height))
-    }
+pub fn pixels(size: Size) -> u64 {
+    u64::from(size.width) * u64::from(size.height)
 }
 
 /// How exactly fixed point computes, or the float port instead.
@@ -88,7 +66,7 @@ impl ValueEnum for Quality {
 #[derive(Args, Clone, Copy, Debug)]
 pub struct Settings {
     /// Width and height in pixels
-    #[arg(long, value_name = "WxH", default_value = "64x64")]
+    #[arg(long, value_name = "WxH", default_value = "64x64", value_parser = size)]
     #[arg(default_value_ifs([
         ("clock", ArgPredicate::IsPresent, "240x240"),
         ("board", ArgPredicate::IsPresent, "240x240"),

@@ -3,15 +3,17 @@
 
 use std::path::PathBuf;
 
-use anyhow::{Context, Error, Result, anyhow, ensure};
+use anyhow::{Context, Error, Result, ensure};
 use clap::ValueEnum;
-use command_line::{Chosen, Quality as Fixed, Settings, Source};
+use command_line::{Chosen, Quality as Fixed, Settings, Source, size};
 use serde::{Deserialize, Serialize};
 
 use super::figures::aligned;
 use super::{CORES, Core, Quality, Scene, Size, Task, outcome};
-use crate::table::{filled, markdown};
+use crate::table::{filled, markdown, rounded, row};
 use crate::{kept, print, root};
+
+const FILE: &str = "docs/measured/units.jsonl";
 
 /// A unit of work, and how its cost is measured.
 #[derive(Deserialize)]
@@ -45,7 +47,7 @@ impl Shot {
     }
 
     fn size(&self) -> Result<Size> {
-        self.2.parse().map_err(Error::msg)
+        size(&self.2).map_err(Error::msg)
     }
 
     /// Returns the executed instructions of all rows, without the preparation.
@@ -60,7 +62,6 @@ impl Shot {
     fn rays(&self) -> Result<u64> {
         let source = Source::open(&file("scenes"), &self.chosen()).map_err(Error::from_boxed)?;
         let (size, settings) = (self.size()?, Settings::blinn_phong(self.quality()?, self.3));
-        let size = embedded_graphics::geometry::Size::new(size.width, size.height);
         let report = source.draw_rows(&source.camera(), size, settings, &mut |_, _| ());
         Ok(report.rays)
     }
@@ -82,7 +83,7 @@ impl Unit {
             let other = other.with_context(|| format!("{name} is no unit"))?;
             cost -= f64::from(*count) * other.instructions;
         }
-        Ok((10.0 * cost).round() / 10.0)
+        Ok(rounded(cost, 1))
     }
 }
 
@@ -108,11 +109,10 @@ pub fn run(core: Option<&'static Core>) -> Result<()> {
     let Some(at) = cores.iter().position(|core| *core == Core::M3) else {
         return Ok(());
     };
-    kept::write_lines(&kept_file(), &columns[at])?;
+    kept::write_lines(FILE, &columns[at])?;
     kept::write(&page(), &text(&columns[at])?)
 }
 
-/// Measures all units on a core.
 pub fn measured(core: &'static Core) -> Result<Vec<Kept>> {
     let mut costs = Vec::new();
     for unit in Unit::all()? {
@@ -128,15 +128,11 @@ pub fn measured(core: &'static Core) -> Result<Vec<Kept>> {
 
 /// The figures that the repository keeps.
 pub fn read() -> Result<Vec<Kept>> {
-    kept::read(&kept_file(), "measure --units")
+    kept::read(FILE, "measure --units")
 }
 
 fn file(name: &str) -> PathBuf {
     root().join(format!("xtask/src/measure/units/{name}.json"))
-}
-
-fn kept_file() -> PathBuf {
-    root().join("docs/measured/units.jsonl")
 }
 
 fn page() -> PathBuf {
@@ -145,32 +141,22 @@ fn page() -> PathBuf {
 
 /// Returns the cells of a table: its head, then a row for each unit. `columns` has the costs of a core each.
 fn table(columns: &[Vec<Kept>]) -> Result<Vec<Vec<String>>> {
-    let row = |name: &str, costs: Vec<String>, how: &str| {
-        let ends = [name, how].map(|text| vec![text.to_owned()]);
-        [&ends[0][..], &costs, &ends[1]].concat()
-    };
     let cores = columns.iter().filter_map(|column| column.first());
-    let mut rows = vec![row(
-        "unit",
-        cores.map(|it| it.core.clone()).collect(),
-        "measured as",
-    )];
+    let cores = cores.map(|it| it.core.clone());
+    let mut rows = vec![row("unit", cores.chain(["measured as".to_owned()]))];
     for (index, unit) in Unit::all()?.iter().enumerate() {
         let costs = columns.iter().filter_map(|column| column.get(index));
-        let costs = costs.map(|it| format!("{:.1}", it.instructions)).collect();
+        let costs = costs.map(|it| format!("{:.1}", it.instructions));
         let how = format!("`{}`: {}", unit.more.quality()?.type_name(), unit.how);
-        rows.push(row(&unit.name, costs, &how));
+        rows.push(row(&unit.name, costs.chain([how])));
     }
     Ok(rows)
 }
 
-/// Returns the text of the page.
 fn text(kept: &[Kept]) -> Result<String> {
     let rows = table(&[kept.to_vec()])?;
-    let (head, rows) = rows
-        .split_first()
-        .ok_or_else(|| anyhow!("the table has a head"))?;
-    let units = markdown(1, head, rows);
+    let (head, rows) = rows.split_first().context("the table has a head")?;
+    let units = markdown(1, head, rows.to_vec());
     Ok(filled(include_str!("units/page.md"), &[("units", units)]))
 }
 
@@ -185,10 +171,7 @@ mod tests {
         let kept = read().unwrap();
         let names = kept.iter().map(|it| &it.unit);
         assert!(names.eq(Unit::all().unwrap().iter().map(|unit| &unit.name)));
-        let page = fs::read_to_string(page()).unwrap();
-        assert!(
-            page == text(&kept).unwrap(),
-            "docs/internals/units.md is old"
-        );
+        let is_new = fs::read_to_string(page()).unwrap() == text(&kept).unwrap();
+        assert!(is_new, "docs/internals/units.md is old");
     }
 }

@@ -10,7 +10,8 @@ use super::{Core, Figures, Quality, Scene, Size, Task, measure};
 use crate::table::{markdown, with_table};
 use crate::{kept, root};
 
-/// Cores of which figures are kept.
+const FILE: &str = "docs/measured/yardstick.jsonl";
+
 const CORES: [&str; 2] = ["m3", "m4f"];
 
 const QVGA: Size = Size::new(320, 240);
@@ -41,7 +42,7 @@ const SCENES: [(&str, Size, u8, &str); 7] = [
 /// Measures the scenes again, and writes their file and the table of docs/yardstick.md.
 pub fn renew() -> Result<()> {
     let rows = tasks()?.iter().map(measure).collect::<Result<Vec<_>>>()?;
-    kept::write_lines(&file(), &rows)?;
+    kept::write_lines(FILE, &rows)?;
     let old = fs::read_to_string(page()).context("cannot read docs/yardstick.md")?;
     let new = with_table(&old, "", &table(&rows)).context("docs/yardstick.md has no table")?;
     kept::write(&page(), &new)
@@ -57,19 +58,13 @@ pub fn tasks() -> Result<Vec<Task>> {
         task.settings.reflections = reflections;
         Ok(task)
     };
-    let pairs = CORES
-        .into_iter()
-        .flat_map(|core| SCENES.map(|scene| (core, scene)));
-    pairs.map(|(core, scene)| task(core, scene)).collect()
+    let tasks = CORES.map(|core| SCENES.map(|scene| task(core, scene)));
+    tasks.into_iter().flatten().collect()
 }
 
 /// The figures that the repository keeps, in the order of [`tasks`].
 pub fn read() -> Result<Vec<Figures>> {
-    kept::read(&file(), "measure --yardstick")
-}
-
-fn file() -> PathBuf {
-    root().join("docs/measured/yardstick.jsonl")
+    kept::read(FILE, "measure --yardstick")
 }
 
 fn page() -> PathBuf {
@@ -86,16 +81,14 @@ fn table(rows: &[Figures]) -> String {
     };
     let lines = SCENES.map(|(name, _, _, published)| line(name, name, published));
     let mean = line("mean of five", "pybadge", "M4F: 176 instr");
-    let head: Vec<_> = HEAD.split(',').map(str::to_owned).collect();
-    markdown(2, &head, &[&lines[..], &[mean]].concat())
+    let head: Vec<_> = HEAD.split(',').collect();
+    markdown(2, &head, lines.into_iter().chain([mean]))
 }
 
 /// Returns the mean instructions and cycles a pixel on a core, over the scenes whose names begin with `scenes`.
 fn mean(rows: &[Figures], core: &str, scenes: &str) -> [f64; 2] {
-    let meant = || {
-        rows.iter()
-            .filter(|row| row.core == core && row.scene.starts_with(scenes))
-    };
+    let is_meant = |row: &&Figures| row.core == core && row.scene.starts_with(scenes);
+    let meant = || rows.iter().filter(is_meant);
     let sums = meant().fold([0.0; 2], |[instructions, cycles], row| {
         let more = row.cycles_per_pixel.unwrap_or(f64::NAN);
         [instructions + row.instructions_per_pixel, cycles + more]

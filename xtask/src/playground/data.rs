@@ -30,7 +30,6 @@ struct Scene {
     json: String,
 }
 
-/// Returns the data of the page as JSON.
 pub fn json() -> Result<String> {
     let mut scenes = built_in()?;
     scenes.extend(samples(&root().join("examples/scenes"))?);
@@ -83,14 +82,12 @@ fn hashes() -> Result<BTreeMap<String, String>> {
     Ok(fast.map(|it| (it.scene, it.hash)).collect())
 }
 
-/// Returns the library's version.
 fn version() -> Result<String> {
     let manifest = fs::read_to_string(root().join("Cargo.toml"))?;
     let mut lines = manifest.lines();
     let version = lines.find_map(|line| line.strip_prefix("version = \"")?.strip_suffix('"'));
-    version
-        .map(str::to_owned)
-        .context("no version in Cargo.toml")
+    let version = version.context("no version in Cargo.toml")?;
+    Ok(version.to_owned())
 }
 
 #[cfg(test)]

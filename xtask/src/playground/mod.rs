@@ -31,7 +31,8 @@ const PACKAGE: &str = "xtask/playground";
 pub fn run(arguments: &Arguments) -> Result<()> {
     let default = || toolchain::target_directory().join("playground");
     let folder = arguments.out.clone().unwrap_or_else(default);
-    make(&folder)?;
+    let refused = |error| Misuse::new(format!("--out {}: {error}", folder.display()));
+    fs::create_dir_all(&folder).map_err(refused)?;
     let wasm = fs::read(toolchain::build_wasm(Path::new(PACKAGE))?)?;
     let page = page::fill(&root().join(PACKAGE).join("page"), &wasm, &data::json()?)?;
     let file = folder.join("index.html");
@@ -44,12 +45,6 @@ pub fn run(arguments: &Arguments) -> Result<()> {
         page.len(),
         wasm.len(),
     ))
-}
-
-/// Makes the folder, unless it is there.
-fn make(folder: &Path) -> Result<(), Misuse> {
-    let refused = |error| Misuse::new(format!("--out {}: {error}", folder.display()));
-    fs::create_dir_all(folder).map_err(refused)
 }
 
 /// Returns the number of bytes after compression, as web servers compress.

@@ -153,10 +153,7 @@ mod tests {
             calls.leave(14);
         }
         calls.enter(20, 100, 24);
-        let counts: Vec<_> = calls
-            .all()
-            .map(|(call, count)| (call.site, count))
-            .collect();
-        assert_eq!(counts, [(10, 3), (20, 1)]);
+        let counts = calls.all().map(|(call, count)| (call.site, count));
+        assert_eq!(counts.collect::<Vec<_>>(), [(10, 3), (20, 1)]);
     }
 }

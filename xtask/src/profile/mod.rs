@@ -18,7 +18,7 @@ use clap::Args;
 pub use self::stages::{STAGES, Stage};
 pub use self::sums::{Sums, Table};
 use self::{names::Names, record::Record};
-use crate::measure::{Quality, Task, arguments::Choice, with_program};
+use crate::measure::{Quality, Task, arguments::Choice, pixels, with_program};
 use crate::misuse::Misuse;
 
 /// Counts the instructions that a frame takes, by stage and by function.
@@ -41,7 +41,7 @@ pub fn run(arguments: &Arguments) -> Result<()> {
     let task = arguments.choice.task()?;
     let sums = profile(&task)?;
     let rows = arguments.functions.then_some(arguments.top);
-    let pixels = task.settings.size.pixels();
+    let pixels = pixels(task.settings.size);
     crate::print(print::tables(&sums, pixels, rows))
 }
 

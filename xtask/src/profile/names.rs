@@ -60,9 +60,6 @@ impl Names {
     }
 
     /// Returns the names of all functions that have instructions in the program, inlined ones too.
-    ///
-    /// # Errors
-    /// Fails if the debug information cannot be read.
     pub fn all(&self) -> Result<BTreeSet<String>> {
         let mut names = BTreeSet::new();
         for address in self.code.clone().step_by(2) {

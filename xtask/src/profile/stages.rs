@@ -56,61 +56,50 @@ pub enum Rule {
 
 /// The rules of functions, by the beginning of the function's [`path`]. The first rule that matches
 /// counts. A function without a rule belongs to its caller's stage.
-const RULES: [(&str, Rule); 38] = [
-    (
-        "firmware::contestant::Fixed::prepare",
-        Rule::AllIs(Stage::Preparation),
-    ),
-    ("firmware", Rule::Is(Stage::Output)),
-    ("reflet::camera::rays::screen_axes", Rule::Is(Stage::Spans)),
-    ("reflet::camera", Rule::MakesRay),
-    ("reflet::accel::active_list::ActiveList::ask", Rule::Meets),
-    (
-        "reflet::accel::active_lists::ActiveLists::nearest",
-        Rule::Meets,
-    ),
-    ("reflet::accel::active_list", Rule::Is(Stage::Spans)),
-    ("reflet::accel::screen_axis", Rule::Is(Stage::Spans)),
-    ("reflet::accel::screen_bounds", Rule::Is(Stage::Spans)),
-    ("reflet::accel::screen_culling", Rule::Is(Stage::Spans)),
-    ("reflet::accel::screen_rect", Rule::Is(Stage::Spans)),
-    ("reflet::accel::stretch", Rule::Is(Stage::Spans)),
-    ("reflet::accel::light_stretch", Rule::Is(Stage::Shadow)),
-    ("reflet::ray::row_plane", Rule::Is(Stage::Spans)),
-    ("reflet::accel::nearest_ahead", Rule::Meets),
-    (
-        "reflet::accel::hierarchy::is_blocked",
-        Rule::Is(Stage::Shadow),
-    ),
-    ("reflet::accel::hierarchy", Rule::Meets),
-    ("reflet::accel::light_occluders", Rule::Is(Stage::Shadow)),
-    ("reflet::accel::light_table", Rule::Is(Stage::Shadow)),
-    ("reflet::accel::light_visibility", Rule::Is(Stage::Shadow)),
-    (
-        "reflet::scene::nearest::any_blocks",
-        Rule::Is(Stage::Shadow),
-    ),
-    ("reflet::scene::nearest", Rule::Meets),
-    ("reflet::scene::query::nearest_hit", Rule::Meets),
-    ("reflet::scene::query::occluded", Rule::Is(Stage::Shadow)),
-    ("reflet::scene::planes::near", Rule::Meets),
-    ("reflet::scene::query::far_hit", Rule::Meets),
-    ("reflet::scene::far::between", Rule::Is(Stage::Shadow)),
-    ("reflet::scene::surface::Surface::reflect", Rule::MirrorsRay),
-    ("reflet::scene::surface", Rule::Is(Stage::Shading)),
-    ("reflet::shade", Rule::Is(Stage::Shading)),
-    ("reflet::trace::visibility", Rule::Is(Stage::Shadow)),
-    ("reflet::trace::Tracer::new", Rule::Is(Stage::Spans)),
-    ("reflet::trace", Rule::Is(Stage::Other)),
-    ("reflet::color::Sum::to_rgb8", Rule::Is(Stage::Output)),
-    ("reflet::color", Rule::Is(Stage::Shading)),
-    (
-        "reflet::render::prepared::Rows::tracer",
-        Rule::Is(Stage::Spans),
-    ),
-    ("reflet::render", Rule::Is(Stage::Output)),
-    ("reflet::display", Rule::Is(Stage::Output)),
-];
+const RULES: [(&str, Rule); 38] = {
+    use Rule::{AllIs, Is, MakesRay, Meets, MirrorsRay};
+    use Stage::{Other, Output, Preparation, Shading, Shadow, Spans};
+    [
+        ("firmware::contestant::Fixed::prepare", AllIs(Preparation)),
+        ("firmware", Is(Output)),
+        ("reflet::camera::rays::screen_axes", Is(Spans)),
+        ("reflet::camera", MakesRay),
+        ("reflet::accel::active_list::ActiveList::ask", Meets),
+        ("reflet::accel::active_lists::ActiveLists::nearest", Meets),
+        ("reflet::accel::active_list", Is(Spans)),
+        ("reflet::accel::screen_axis", Is(Spans)),
+        ("reflet::accel::screen_bounds", Is(Spans)),
+        ("reflet::accel::screen_culling", Is(Spans)),
+        ("reflet::accel::screen_rect", Is(Spans)),
+        ("reflet::accel::stretch", Is(Spans)),
+        ("reflet::accel::light_stretch", Is(Shadow)),
+        ("reflet::ray::row_plane", Is(Spans)),
+        ("reflet::accel::nearest_ahead", Meets),
+        ("reflet::accel::hierarchy::is_blocked", Is(Shadow)),
+        ("reflet::accel::hierarchy", Meets),
+        ("reflet::accel::light_occluders", Is(Shadow)),
+        ("reflet::accel::light_table", Is(Shadow)),
+        ("reflet::accel::light_visibility", Is(Shadow)),
+        ("reflet::scene::nearest::any_blocks", Is(Shadow)),
+        ("reflet::scene::nearest", Meets),
+        ("reflet::scene::query::nearest_hit", Meets),
+        ("reflet::scene::query::occluded", Is(Shadow)),
+        ("reflet::scene::planes::near", Meets),
+        ("reflet::scene::query::far_hit", Meets),
+        ("reflet::scene::far::between", Is(Shadow)),
+        ("reflet::scene::surface::Surface::reflect", MirrorsRay),
+        ("reflet::scene::surface", Is(Shading)),
+        ("reflet::shade", Is(Shading)),
+        ("reflet::trace::visibility", Is(Shadow)),
+        ("reflet::trace::Tracer::new", Is(Spans)),
+        ("reflet::trace", Is(Other)),
+        ("reflet::color::Sum::to_rgb8", Is(Output)),
+        ("reflet::color", Is(Shading)),
+        ("reflet::render::prepared::Rows::tracer", Is(Spans)),
+        ("reflet::render", Is(Output)),
+        ("reflet::display", Is(Output)),
+    ]
+};
 
 impl Rule {
     /// Returns the rule of a function, if it has one.
@@ -209,34 +198,20 @@ mod tests {
 
     #[test]
     fn path_has_neither_generics_nor_traits() {
-        for (name, expected) in [
-            ("reflet::trace::trace", "reflet::trace::trace"),
-            (
-                "reflet::render::Rows<S,Q,K>::colors::{{closure}}",
-                "reflet::render::Rows::colors::{{closure}}",
-            ),
-            (
-                "<reflet::scene::Static<T> as reflet::scene::World>::parts",
-                "reflet::scene::Static::parts",
-            ),
-            ("<&W as reflet::scene::World>::parts::<X>", "W::parts"),
-            (
-                "reflet::scene::row::<impl reflet::ray::Fan>::column",
-                "reflet::scene::row::column",
-            ),
-            (
-                "<core::iter::Map<I, fn(u8) -> <A as B>::C> as Iterator>::next",
-                "core::iter::Map::next",
-            ),
-            (
-                "<reflet::camera::RayGenerator>::screen_axes",
-                "reflet::camera::RayGenerator::screen_axes",
-            ),
-            ("__aeabi_lmul", "__aeabi_lmul"),
-            ("<broken", "broken"),
-            ("<A<B> as C", "A"),
-            ("a>b<c", "a>b"),
-        ] {
+        let paths = "
+reflet::trace::trace => reflet::trace::trace
+reflet::render::Rows<S,Q,K>::colors::{{closure}} => reflet::render::Rows::colors::{{closure}}
+<reflet::scene::Static<T> as reflet::scene::World>::parts => reflet::scene::Static::parts
+<&W as reflet::scene::World>::parts::<X> => W::parts
+reflet::scene::row::<impl reflet::ray::Fan>::column => reflet::scene::row::column
+<core::iter::Map<I, fn(u8) -> <A as B>::C> as Iterator>::next => core::iter::Map::next
+<reflet::camera::RayGenerator>::screen_axes => reflet::camera::RayGenerator::screen_axes
+__aeabi_lmul => __aeabi_lmul
+<broken => broken
+<A<B> as C => A
+a>b<c => a>b";
+        for line in paths.trim().lines() {
+            let (name, expected) = line.split_once(" => ").unwrap();
             assert_eq!(path(name), expected);
         }
     }

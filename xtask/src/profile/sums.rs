@@ -2,11 +2,10 @@
 
 use std::collections::HashMap;
 
-use super::names::Names;
+use super::names::{Frame, Names};
 use super::record::Record;
 use super::stages::{Rule, STAGES, Stage, path, stage};
 
-/// The tables of functions.
 #[derive(Clone, Copy, Debug)]
 pub enum Table {
     /// Functions of the library, with foreign functions inlined in them or called by them.
@@ -21,7 +20,6 @@ pub enum Table {
 
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Row {
-    /// Own instructions.
     pub own: u64,
     /// Of [`Table::Library`]: own instructions and those of all functions that it calls.
     /// Of [`Table::Linked`]: calls of the function. Else 0.
@@ -70,7 +68,8 @@ impl Sums {
             let linked = names.function(address).map(|(_, name)| name);
             let linked = linked.unwrap_or("no function");
             sums.row(Table::Linked, None, linked).own += count;
-            let library = frames.iter().filter(|frame| is_of_library(&frame.name));
+            let is_of_library = |it: &&&Frame| path(&it.name).starts_with("reflet::");
+            let library = frames.iter().filter(is_of_library);
             let mut seen = Vec::new();
             for frame in library {
                 let row = sums.row(Table::Library, stage, &frame.name);
@@ -95,8 +94,4 @@ impl Sums {
         }
         sums
     }
-}
-
-fn is_of_library(name: &str) -> bool {
-    path(name).starts_with("reflet::")
 }

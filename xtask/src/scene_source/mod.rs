@@ -27,6 +27,16 @@ pub struct Source {
     pub text: String,
 }
 
+impl Source {
+    fn new(name: &str, source: &RustSource) -> Result<Self> {
+        Ok(Self {
+            name: name.to_owned(),
+            type_name: source.type_name(),
+            text: laid_out(&source.text())?,
+        })
+    }
+}
+
 /// Prints the source of the file's scene, or of its scene with the name `chosen`.
 pub fn run(path: &Path, chosen: &Chosen) -> Result<()> {
     let (_, source) = read(path, chosen)?;
@@ -58,14 +68,8 @@ pub fn parse(text: &str) -> Result<(SceneFile, Source)> {
 /// Returns the source of the file's scene. `unnamed` is the name for a scene that has none.
 fn source(file: &SceneFile, unnamed: &str) -> Result<Source> {
     file.build().map_err(Misuse::new)?;
-    let name = file.name().unwrap_or(unnamed).to_owned();
-    let source = file.rust_source().name(&name);
-    let (type_name, text) = (source.type_name(), laid_out(&source.text())?);
-    Ok(Source {
-        name,
-        type_name,
-        text,
-    })
+    let name = file.name().unwrap_or(unnamed);
+    Source::new(name, &file.rust_source().name(name))
 }
 
 /// Returns the source of a scene of which one shape moves, and that shape.
@@ -83,12 +87,7 @@ pub(crate) fn with_motion(
     })?;
     let [low, high] = moving.room();
     let source = RustSource::new(name, scene, camera).motion(moving.kind, low, high);
-    let source = Source {
-        name: name.to_owned(),
-        type_name: source.type_name(),
-        text: laid_out(&source.text())?,
-    };
-    Ok((source, moving))
+    Ok((Source::new(name, &source)?, moving))
 }
 
 /// Formats the text with rustfmt's default settings. Installs rustfmt if it is missing.
@@ -98,10 +97,8 @@ fn laid_out(text: &str) -> Result<String> {
     let file = folder.path().join("scene.rs");
     fs::write(&file, text)?;
     // In this new folder rustfmt finds no configuration. Edition 2024 is reflet's own.
-    Program::new("rustfmt")
-        .args(["--edition", "2024"])
-        .args([&file])
-        .read()
-        .context("the source is laid out by rustfmt")?;
+    let rustfmt = Program::new("rustfmt").args(["--edition", "2024"]);
+    let done = rustfmt.args([&file]).read();
+    done.context("the source is laid out by rustfmt")?;
     Ok(fs::read_to_string(&file)?)
 }

@@ -85,10 +85,8 @@ mod tests {
         scene.cylinders.push(cylinder);
         let moving = Moving::of(&scene).unwrap();
         assert_eq!((moving.kind, moving.radius), ("cylinder", 5.0));
-        assert_eq!(
-            moving.fields.join(" "),
-            "[0.0, 0.0, 0.0] [0.0, 0.0, 1.0] 3.0 8.0"
-        );
+        let fields = "[0.0, 0.0, 0.0] [0.0, 0.0, 1.0] 3.0 8.0";
+        assert_eq!(moving.fields.join(" "), fields);
         scene.spheres.push(Sphere {
             center: [1.0, 2.0, 3.0],
             radius: 8.0,

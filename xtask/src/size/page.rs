@@ -2,7 +2,7 @@
 
 use super::{Figures, QUALITIES, REFLECTIONS};
 use crate::measure::{Weight, profiles};
-use crate::table::{filled, markdown};
+use crate::table::{filled, markdown, row};
 
 /// Columns of the page: qualities by their names in the figures.
 const SHOWN: [&str; 3] = ["fast", "small", "exact"];
@@ -24,21 +24,18 @@ pub(super) fn write(figures: &[Figures], board: Weight, profiles: &[profiles::Ro
 /// Returns a table with flash and stack of each scene with all its reflections.
 fn by_scene(figures: &[Figures]) -> String {
     let pairs = SHOWN.map(|name| [format!("{name} flash"), format!("{name} stack")]);
-    let mut head = vec!["scene".to_owned()];
-    head.extend(pairs.concat());
+    let head = row("scene", pairs.concat());
     let whole = figures
         .chunks(QUALITIES.len())
         .filter(|it| it[0].reflections == REFLECTIONS[0]);
     let rows = whole.map(|qualities| {
-        let mut row = vec![qualities[0].scene.clone()];
         let shown = SHOWN.iter().flat_map(|name| {
             let figures = qualities.iter().find(|it| it.quality == *name);
             figures.into_iter().flat_map(|it| [it.flash, it.stack])
         });
-        row.extend(shown.map(|number| number.to_string()));
-        row
+        row(&qualities[0].scene, shown.map(|it| it.to_string()))
     });
-    markdown(1, &head, &rows.collect::<Vec<_>>())
+    markdown(1, &head, rows)
 }
 
 /// Returns the head and the rows of a table of all figures, for the terminal.

@@ -18,7 +18,6 @@ use motion::Motion;
 #[path = "../../../examples/pico/src/bin/bounce/motion.rs"]
 mod motion;
 
-/// Returns the picture on the desk.
 fn simulated(motion: Motion, reflections: u8, scale: u32) -> Vec<u16> {
     let size = Size::new_equal(SIDE as u32);
     let mut display = SimulatorDisplay::<Rgb565>::new(size);

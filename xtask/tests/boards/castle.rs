@@ -15,7 +15,6 @@ use xtask::{copies, root};
 
 use super::{BLACK_PILL, Copied, PICO, PICO_2, common};
 
-/// Returns the picture on the desk.
 fn simulated<S: BuiltIn>(camera: &Camera) -> Vec<u16> {
     simulated_source(&Source::built_in(S::NAME).unwrap(), camera)
 }
@@ -30,27 +29,25 @@ fn simulated_source(source: &Source, camera: &Camera) -> Vec<u16> {
 /// Returns the pixels of a display on the desk.
 pub fn pixels(display: &SimulatorDisplay<Rgb565>) -> Vec<u16> {
     let bytes = display.to_be_bytes();
-    let pixels = bytes.chunks_exact(2);
-    pixels
-        .map(|it| u16::from_be_bytes([it[0], it[1]]))
-        .collect()
+    let pixels = bytes.chunks_exact(2).map(|it| [it[0], it[1]]);
+    pixels.map(u16::from_be_bytes).collect()
 }
 
-/// Returns the number of pixels that differ.
 fn different(shown: &Picture, expected: &[u16]) -> usize {
     assert_eq!(shown.pixels.len(), expected.len());
     let pairs = shown.pixels.iter().zip(expected);
     pairs.filter(|(shown, expected)| shown != expected).count()
 }
 
-/// Tests that a board shows the pictures of the desk.
 pub fn assert_are_shown(copied: &Copied, run: &Run, expected: &[Vec<u16>]) {
     let name = copied.owned.name;
     let pairs = run.pictures.iter().zip(expected);
-    let pixels: Vec<_> = pairs
-        .map(|(shown, expected)| different(shown, expected))
-        .collect();
-    assert_eq!(pixels, vec![0; expected.len()], "{name}");
+    let pixels = pairs.map(|(shown, expected)| different(shown, expected));
+    assert_eq!(
+        pixels.collect::<Vec<_>>(),
+        vec![0; expected.len()],
+        "{name}"
+    );
     assert_eq!(run.pictures.len(), expected.len(), "{name}");
 }
 
@@ -100,9 +97,8 @@ fn simulated_file(file: &str) -> Vec<u16> {
 #[test]
 fn smallest_firmware_of_a_pico_draws_a_ball_over_water() {
     let firmware = copies::program("pico", "ball").unwrap();
-    let run = PICO
-        .board()
-        .run(&firmware, &Script::default().limit(3).picture(&[]));
+    let script = Script::default().limit(3).picture(&[]);
+    let run = PICO.board().run(&firmware, &script);
     assert_are_shown(&PICO, &run.unwrap(), &[simulated_file("harbour.json")]);
     let folder = root().join("examples/pico/src/bin/ball");
     let files = ["main.rs", "scene.rs"].map(|file| fs::read_to_string(folder.join(file)).unwrap());
@@ -123,9 +119,8 @@ fn scene_of_a_user_takes_one_changed_line() {
     for copied in [&PICO_2, &BLACK_PILL] {
         let name = copied.owned.name;
         let firmware = copies::build_with_scene(name, &scene_source("matt3"), "Matt3").unwrap();
-        let run = copied
-            .board()
-            .run(&firmware, &Script::default().picture(&[]));
+        let script = Script::default().picture(&[]);
+        let run = copied.board().run(&firmware, &script);
         assert_are_shown(copied, &run.unwrap(), &[simulated_file("matt3.json")]);
     }
 }

@@ -10,11 +10,9 @@ use super::{BLACK_PILL, Copied, PICO, PICO_2};
 
 /// Returns the seconds that a board reports for its first picture, the castle at 240x240.
 fn reported(run: &Run) -> f64 {
-    let line = run.said.iter().find_map(|line| {
-        line.strip_prefix("castle: ")
-            .or(line.strip_prefix("picture: "))
-    });
-    let digits = line.unwrap().strip_suffix(" ms").unwrap();
+    let mut named = run.said.iter().filter_map(|line| line.split_once(": "));
+    let line = named.find(|(name, _)| ["castle", "picture"].contains(name));
+    let digits = line.unwrap().1.strip_suffix(" ms").unwrap();
     digits.parse::<f64>().unwrap() / 1e3
 }
 
@@ -51,10 +49,8 @@ fn time_of_sending_is_what_an_emulated_board_takes_for_an_empty_scene() {
     for copied in [&PICO_2, &BLACK_PILL] {
         let owned = copied.owned;
         let firmware = copies::build_with_scene(owned.name, &source, "Empty").unwrap();
-        let run = owned
-            .board
-            .run(&firmware, &Script::default().picture(&[]))
-            .unwrap();
+        let script = Script::default().picture(&[]);
+        let run = owned.board.run(&firmware, &script).unwrap();
         let reported = 1e3 * reported(&run);
         assert!((reported - owned.sending).abs() < 0.5, "{reported}");
     }

@@ -47,7 +47,6 @@ impl Copied {
         &self.owned.board
     }
 
-    /// Builds the copy once.
     fn firmware(&self) -> &PathBuf {
         self.built
             .get_or_init(|| copies::firmware(self.owned.name).unwrap())

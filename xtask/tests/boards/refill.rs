@@ -15,10 +15,8 @@ fn wrong(program: &str) -> usize {
     let pixels = &run.unwrap().pictures[0].pixels;
     let pattern = |x: usize, y: usize| ((x * 257) ^ (y * 91)) as u16;
     let expected = |at: usize| pattern(at % SIDE, at / SIDE).swap_bytes();
-    let pixels = pixels.iter().enumerate();
-    pixels
-        .filter(|(at, pixel)| **pixel != expected(*at))
-        .count()
+    let is_wrong = |(at, pixel): &(usize, &u16)| **pixel != expected(*at);
+    pixels.iter().enumerate().filter(is_wrong).count()
 }
 
 #[test]

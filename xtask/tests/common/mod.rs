@@ -1,5 +1,7 @@
 //! Runs `cargo xtask` as a user would.
 
+#![allow(dead_code, reason = "no test needs all of it")]
+
 use std::{path::Path, process::Command};
 
 use command_line::{Quality, Settings, Source};
@@ -10,14 +12,12 @@ use embedded_graphics_simulator::SimulatorDisplay;
 use reflet::Camera;
 use reflet::scenes::BuiltIn;
 
-#[allow(dead_code, reason = "not every test runs a command")]
 pub struct Done {
     pub code: i32,
     pub out: String,
     pub err: String,
 }
 
-#[allow(dead_code, reason = "not every test runs a command")]
 pub fn xtask(folder: &Path, arguments: &str) -> Done {
     let output = Command::new(env!("CARGO_BIN_EXE_xtask"))
         .args(arguments.split_whitespace())
@@ -33,7 +33,6 @@ pub fn xtask(folder: &Path, arguments: &str) -> Done {
 
 /// Runs the command with each of the mistakes, one a line: `arguments => words`. Checks that it ends
 /// with exit code 2 and prints one line that contains the words.
-#[allow(dead_code, reason = "not every test of a command makes mistakes")]
 pub fn assert_mistakes(folder: &Path, mistakes: &str) {
     for mistake in mistakes.trim().lines() {
         let (arguments, words) = mistake.split_once(" => ").unwrap();
@@ -46,7 +45,6 @@ pub fn assert_mistakes(folder: &Path, mistakes: &str) {
 }
 
 /// Draws a built-in scene into a display in the default quality, with four reflections.
-#[allow(dead_code, reason = "not every test draws")]
 pub fn draw<S: BuiltIn, C>(camera: &Camera, display: &mut SimulatorDisplay<C>)
 where
     C: PixelColor + From<Rgb888>,
@@ -55,7 +53,6 @@ where
 }
 
 /// Draws any scene in the same way.
-#[allow(dead_code, reason = "not every test draws")]
 pub fn draw_source<C>(source: &Source, camera: &Camera, display: &mut SimulatorDisplay<C>)
 where
     C: PixelColor + From<Rgb888>,

@@ -2,6 +2,7 @@
 
 use std::{collections::BTreeSet, fs, path::Path, process::Command};
 
+use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
 use serde_json::Value;
 use xtask::measure::{
     CORES, Core, Figures, Quality, Scene, Size, Task, build_profile::BuildProfile, count, outcome,
@@ -67,12 +68,10 @@ fn json_has_these_keys_and_the_defaults() {
                     cycles_per_pixel";
     assert_eq!(keys.collect::<BTreeSet<_>>(), expected.split(' ').collect());
     let settings = ["core", "scene", "size", "reflections", "shading", "quality"];
-    assert_eq!(
-        settings.map(|key| figures[key].to_string()).join(" "),
-        r#""m3" "castle" "64x64" 4 "blinn-phong" "fast""#
-    );
-    let [instructions, cycles] =
-        ["instructions_per_pixel", "cycles_per_pixel"].map(|key| figures[key].as_f64().unwrap());
+    let settings = settings.map(|key| figures[key].to_string()).join(" ");
+    assert_eq!(settings, r#""m3" "castle" "64x64" 4 "blinn-phong" "fast""#);
+    let number = |key: &str| figures[key].as_f64().unwrap();
+    let (instructions, cycles) = (number("instructions_per_pixel"), number("cycles_per_pixel"));
     assert!(instructions > 10.0);
     assert!((1.2..2.5).contains(&(cycles / instructions)));
     assert_eq!(figures["hash"].as_str().unwrap().len(), 16);
@@ -168,9 +167,8 @@ fn source_describes_the_scene_of_the_file() {
     assert_eq!(camera, ball::CAMERA);
     let described = ball::Ball::with_description(|scene| scene.camera);
     assert_eq!(described, Some(camera));
-    let size = embedded_graphics::geometry::Size::new(40, 30);
-    let black = <embedded_graphics::pixelcolor::Rgb888 as Default>::default();
-    let (mut one, mut other) = (vec![black; 40], vec![black; 40]);
+    let size = Size::new(40, 30);
+    let (mut one, mut other) = ([Rgb888::BLACK; 40], [Rgb888::BLACK; 40]);
     let scene = Box::new(scene.build().unwrap());
     let fixed = ball::Ball::frame(&camera).prepare(size);
     let fixed = fixed.on(&ball::Ball).unwrap();

@@ -20,7 +20,6 @@ const CHIP_SELECT: u32 = 1 << 9;
 /// Request of the transmitter of SPI1.
 const SPI1_TX: u8 = 26;
 
-/// Draws the pattern with one or two buffers.
 pub fn run(buffers: usize) -> ! {
     let _board = board::switch_on();
     draw(buffers);
@@ -33,30 +32,28 @@ fn draw(buffers: usize) {
     // The board is set up and rests: nobody else uses them now.
     let (sio, spi, dma) = unsafe { (SIO::steal(), SPI1::steal(), DMA::steal()) };
     let send = |byte: u8| {
-        spi.sspdr()
-            .write(|it| unsafe { it.data().bits(byte.into()) })
+        let data = spi.sspdr();
+        data.write(|it| unsafe { it.data().bits(byte.into()) });
     };
     let wait = || while spi.sspsr().read().bsy().bit_is_set() {};
-    sio.gpio_out_clr()
-        .write(|it| unsafe { it.bits(CHIP_SELECT) });
+    let clear = |pins| sio.gpio_out_clr().write(|it| unsafe { it.bits(pins) });
+    let set = |pins| sio.gpio_out_set().write(|it| unsafe { it.bits(pins) });
+    clear(CHIP_SELECT);
     for (command, arguments) in [
         (0x2a, &[0, 0, 0, 239][..]),
         (0x2b, &[0, 0, 0, 239]),
         (0x2c, &[]),
     ] {
-        sio.gpio_out_clr()
-            .write(|it| unsafe { it.bits(DATA_COMMAND) });
+        clear(DATA_COMMAND);
         send(command);
         wait();
-        sio.gpio_out_set()
-            .write(|it| unsafe { it.bits(DATA_COMMAND) });
+        set(DATA_COMMAND);
         arguments.iter().for_each(|byte| send(*byte));
         wait();
     }
     send_rows(dma.ch(0), &spi, buffers);
     wait();
-    sio.gpio_out_set()
-        .write(|it| unsafe { it.bits(CHIP_SELECT) });
+    set(CHIP_SELECT);
 }
 
 fn send_rows(channel: &CH, spi: &SPI1, buffers: usize) {

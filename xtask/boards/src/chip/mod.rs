@@ -10,7 +10,6 @@ use crate::fault::Fault;
 use crate::memory::Memory;
 use crate::wires::{Pin, Pins, Sent};
 
-/// An access by a core.
 #[derive(Clone, Copy, Debug)]
 pub struct Access {
     pub address: u32,
@@ -37,13 +36,8 @@ pub enum Effect {
     Start([u32; 3]),
 }
 
-/// The peripherals of a chip.
 pub trait Chip: Pins {
-    /// Returns the pins.
-    fn as_pins(&self) -> &dyn Pins;
-    /// Reads a register.
     fn read(&mut self, access: Access) -> Result<u32, Fault>;
-    /// Writes a register.
     fn write(&mut self, access: Access, value: u32) -> Result<Effect, Fault>;
     /// Whether a byte is on its way.
     fn is_sending(&self, now: u64) -> bool;

@@ -17,7 +17,7 @@ pub use dma::Control;
 use dma::Dma;
 use edges::Edges;
 use fifo::Fifos;
-pub use layout::{Kind, Layout, block, dma, pll, reset, spi};
+pub use layout::{Kind, Layout, dma, pll, reset, spi};
 use spi::Spi;
 
 /// First address of the SIO.
@@ -73,7 +73,7 @@ impl Rp {
             0x00 => core as u32,
             0x04 => self.levels(),
             0x50 => self.fifos.status(core),
-            0x58 => self.fifos.receive(core)?,
+            0x58 => self.fifos.receive(core),
             0x5c => self.spinlocks,
             0x100..0x180 => {
                 let bit = 1 << ((offset - 0x100) / 4);
@@ -157,10 +157,6 @@ fn plain(address: u32) -> (u32, u32) {
 }
 
 impl Chip for Rp {
-    fn as_pins(&self) -> &dyn Pins {
-        self
-    }
-
     fn read(&mut self, access: Access) -> Result<u32, Fault> {
         let (address, _) = plain(access.address & !3);
         let Place { kind, offset } = self.registers.find(address)?;

@@ -1,7 +1,7 @@
 //! The registers of an RP2040 that a firmware may use.
 
-use super::rp::{Control, Kind, Layout, block, dma, pll, reset, spi};
-use crate::registers::{Block, Gate, register, registers};
+use super::rp::{Control, Kind, Layout, dma, pll, reset, spi};
+use crate::registers::{Block, Gate, block, register, registers};
 
 const RESETS: u32 = 0x4000_c000;
 const CLOCKS: u32 = 0x4000_8000;
@@ -11,67 +11,42 @@ const PADS: u32 = 0x4001_c000;
 const WATCHDOG: u32 = 0x4005_8000;
 const SPI: [u32; 2] = [0x4003_c000, 0x4004_0000];
 
-const fn gate(bit: u32) -> Option<Gate> {
+const fn gate(bit: u32) -> Gate {
     reset(RESETS, bit)
 }
 
 const BLOCKS: &[Block<Kind>] = &[
-    Block {
-        registers: &[register(0, 0x01ff_ffff), registers(4, 2)],
-        ..block("RESETS", Kind::Resets, RESETS)
-    },
-    Block {
-        registers: &[registers(0x30, 21)],
-        ..block("CLOCKS", Kind::Clocks, CLOCKS)
-    },
-    Block {
-        registers: &[registers(0, 4)],
-        ..block("XOSC", Kind::Crystal, 0x4002_4000)
-    },
-    pll("PLL_SYS", 0x4002_8000, gate(12)),
-    pll("PLL_USB", 0x4002_c000, gate(13)),
-    Block {
-        registers: &[registers(0, 4)],
-        ..block("PSM", Kind::Power, PSM)
-    },
-    Block {
-        registers: &[registers(0, 12)],
-        ..block("WATCHDOG", Kind::Plain, WATCHDOG)
-    },
-    Block {
-        gate: gate(21),
-        registers: &[registers(0, 17)],
-        ..block("TIMER", Kind::Timer, 0x4005_4000)
-    },
-    Block {
-        gate: gate(5),
-        registers: &[
+    block("RESETS", Kind::Resets, RESETS).with(&[register(0, 0x01ff_ffff), registers(4, 2)]),
+    block("CLOCKS", Kind::Clocks, CLOCKS).with(&[registers(0x30, 21)]),
+    block("XOSC", Kind::Crystal, 0x4002_4000).with(&[registers(0, 4)]),
+    pll("PLL_SYS", 0x4002_8000).behind(gate(12)),
+    pll("PLL_USB", 0x4002_c000).behind(gate(13)),
+    block("PSM", Kind::Power, PSM).with(&[registers(0, 4)]),
+    block("WATCHDOG", Kind::Plain, WATCHDOG).with(&[registers(0, 12)]),
+    block("TIMER", Kind::Timer, 0x4005_4000)
+        .with(&[registers(0, 17)])
+        .behind(gate(21)),
+    block("IO_BANK0", Kind::Pins, PINS)
+        .with(&[
             register(4, 0x1f).repeated(30, 8),
             // Edges: raw, and enabled, forced and status of both cores.
             registers(0xf0, 28),
-        ],
-        ..block("IO_BANK0", Kind::Pins, PINS)
-    },
-    Block {
-        gate: gate(8),
-        registers: &[register(0, 0), register(4, 0x56).repeated(30, 4)],
-        ..block("PADS_BANK0", Kind::Pins, PADS)
-    },
-    spi("SPI0", 0, SPI, gate(16)),
-    spi("SPI1", 1, SPI, gate(17)),
-    dma(gate(2)),
-    Block {
-        registers: &[
-            registers(0, 3),
-            registers(0x10, 8),
-            registers(0x50, 4),
-            registers(0x100, 32),
-        ],
-        ..block("SIO", Kind::Sio, 0xd000_0000)
-    },
+        ])
+        .behind(gate(5)),
+    block("PADS_BANK0", Kind::Pins, PADS)
+        .with(&[register(0, 0), register(4, 0x56).repeated(30, 4)])
+        .behind(gate(8)),
+    spi("SPI0", 0, SPI).behind(gate(16)),
+    spi("SPI1", 1, SPI).behind(gate(17)),
+    dma().behind(gate(2)),
+    block("SIO", Kind::Sio, 0xd000_0000).with(&[
+        registers(0, 3),
+        registers(0x10, 8),
+        registers(0x50, 4),
+        registers(0x100, 32),
+    ]),
 ];
 
-/// The RP2040 at 125 MHz.
 pub const RP2040: Layout = Layout {
     blocks: BLOCKS,
     spi: SPI,

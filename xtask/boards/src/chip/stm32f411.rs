@@ -115,10 +115,6 @@ fn plain(address: u32) -> (u32, Option<u32>) {
 }
 
 impl Chip for Stm32f411 {
-    fn as_pins(&self) -> &dyn Pins {
-        self
-    }
-
     fn read(&mut self, access: Access) -> Result<u32, Fault> {
         let (address, bit) = plain(access.address);
         let Place { kind, offset } = self.registers.find(address)?;

@@ -12,18 +12,11 @@ use crate::board::ChipKind;
 use crate::fault::Fault;
 use crate::system::System;
 
-/// A Cortex-M0+.
 pub struct M0 {
     core: CortexM0Plus,
 }
 
 impl M0 {
-    /// Creates a core.
-    pub fn new(number: u8) -> Self {
-        let core = CortexM0Plus::with_id(number);
-        Self { core }
-    }
-
     fn number(&self) -> usize {
         self.core.id().into()
     }
@@ -43,7 +36,8 @@ fn excess(instruction: u16, address: u32, cycles: u32) -> u32 {
 
 impl Core for M0 {
     fn all(_: ChipKind, _: &Arc<CoreAtomics>) -> Vec<Self> {
-        vec![Self::new(0), Self::new(1)]
+        let cores = [0, 1].map(CortexM0Plus::with_id);
+        cores.map(|core| Self { core }).into()
     }
 
     fn start(&mut self, system: &mut System, [vectors, stack, entry]: [u32; 3]) {
@@ -66,7 +60,7 @@ impl Core for M0 {
     }
 
     fn is_asleep(&mut self, system: &mut System) -> bool {
-        let private = &mut system.private[self.core.id() as usize];
+        let private = &mut system.private[self.number()];
         if private.is_asleep && private.event {
             (private.event, private.is_asleep) = (false, false);
         }

@@ -26,7 +26,6 @@ const STM32_TICK: u64 = 8;
 /// Bit of the system timer's control register: it counts cycles of the core.
 const CORE_CLOCK: u32 = 1 << 2;
 
-/// A Cortex-M33.
 pub struct M33 {
     core: CortexM33,
     steps: u32,
@@ -38,22 +37,6 @@ pub struct M33 {
 }
 
 impl M33 {
-    /// Creates a core. `is_shared` tells that there are others. `divider` is the number of cycles in
-    /// a cycle of the external clock of the system timer.
-    pub fn new(number: u8, atomics: &Arc<CoreAtomics>, is_shared: bool, divider: u64) -> Self {
-        Self {
-            core: CortexM33::new(number, Arc::clone(atomics)),
-            steps: 0,
-            is_shared,
-            may_wait: false,
-            timer: SystemTimer {
-                divider,
-                ticks: 0,
-                seen: 0,
-            },
-        }
-    }
-
     fn number(&self) -> usize {
         self.core.id().into()
     }
@@ -61,6 +44,7 @@ impl M33 {
 
 /// Time of the system timer. The crate lets it count the cycles of the core, whatever its clock is.
 struct SystemTimer {
+    /// Cycles in a cycle of the external clock.
     divider: u64,
     /// Time in the timer's clock.
     ticks: u64,
@@ -84,14 +68,22 @@ impl SystemTimer {
 
 impl Core for M33 {
     fn all(chip: ChipKind, atomics: &Arc<CoreAtomics>) -> Vec<Self> {
-        let numbers = if chip == ChipKind::Rp2350 { 0..2 } else { 0..1 };
-        let (is_shared, divider) = match chip {
-            ChipKind::Rp2350 => (true, RP2350_TICK),
-            _ => (false, STM32_TICK),
+        let (cores, divider) = match chip {
+            ChipKind::Rp2350 => (2, RP2350_TICK),
+            _ => (1, STM32_TICK),
         };
-        numbers
-            .map(|number| Self::new(number, atomics, is_shared, divider))
-            .collect()
+        let core = |number| Self {
+            core: CortexM33::new(number, Arc::clone(atomics)),
+            steps: 0,
+            is_shared: cores > 1,
+            may_wait: false,
+            timer: SystemTimer {
+                divider,
+                ticks: 0,
+                seen: 0,
+            },
+        };
+        (0..cores).map(core).collect()
     }
 
     fn start(&mut self, _: &mut System, [vectors, stack, entry]: [u32; 3]) {

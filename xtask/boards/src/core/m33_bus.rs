@@ -5,7 +5,8 @@ use std::sync::Arc;
 use rp2350_emu::core::CoreBus;
 use rp2350_emu::threaded::CoreAtomics;
 
-use crate::system::{System, not_modelled};
+use crate::fault::fault;
+use crate::system::System;
 
 /// The instruction CLREX, which forgets what LDREX has marked.
 const CLREX: [u16; 2] = [0xf3bf, 0x8f2f];
@@ -137,7 +138,7 @@ impl CoreBus for System {
 
 impl System {
     fn refuse_coprocessor(&mut self) {
-        let fault = not_modelled("the coprocessor of the pins");
+        let fault = fault!("the coprocessor of the pins is not modelled");
         self.fault.get_or_insert(fault);
     }
 }

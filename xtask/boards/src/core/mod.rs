@@ -15,7 +15,6 @@ use crate::system::System;
 /// Exceptions 2 to 6 are faults of the firmware.
 const FAULTS: std::ops::RangeInclusive<u32> = 2..=6;
 
-/// A core of a chip.
 pub trait Core: Sized {
     /// Returns the cores of a chip, which are all of this kind.
     fn all(chip: ChipKind, atomics: &Arc<CoreAtomics>) -> Vec<Self>;

@@ -7,10 +7,8 @@ use core::convert::Infallible;
 use core::hint::black_box;
 use core::ptr;
 
-use embedded_graphics::Pixel;
-use embedded_graphics::draw_target::DrawTarget;
-use embedded_graphics::geometry::{OriginDimensions, Size};
-use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
+use embedded_graphics::pixelcolor::Rgb888;
+use embedded_graphics::prelude::*;
 use embedded_graphics::primitives::Rectangle;
 use firmware::{Clock, report};
 use frame_hash::FrameHash;
@@ -86,10 +84,8 @@ impl DrawTarget for Screen<'_> {
         I: IntoIterator<Item = Pixel<Rgb888>>,
     {
         for Pixel(at, color) in pixels {
-            if let Some(pixel) = self
-                .pixels
-                .get_mut(at.y as usize * self.size.0 + at.x as usize)
-            {
+            let place = at.y as usize * self.size.0 + at.x as usize;
+            if let Some(pixel) = self.pixels.get_mut(place) {
                 *pixel = color;
             }
         }

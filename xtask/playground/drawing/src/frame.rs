@@ -12,20 +12,17 @@ use crate::settings::Settings;
 
 /// A frame, and what its rows have told so far.
 pub struct Frame {
-    /// The settings that it was prepared with.
     pub settings: Settings,
     lines: Box<dyn Lines>,
     report: Report,
     /// The rows that were drawn, for the hash; each empty until then. Only of a plain picture.
     drawn: Vec<Vec<[u8; 3]>>,
-    /// The samples of one line.
     samples: Vec<Rgb888>,
     /// Red, green, blue and 255 of each pixel of the latest row.
     pixels: Vec<u8>,
 }
 
 impl Frame {
-    /// Prepares a frame.
     pub fn new(scene: &FileScene, view: &Camera, settings: Settings) -> Self {
         let (width, smooth) = (settings.width as usize, settings.smooth as usize);
         Self {
@@ -65,24 +62,20 @@ impl Frame {
             self.report = self.report.merge(report);
             for (sum, samples) in sums.iter_mut().zip(self.samples.chunks(smooth as usize)) {
                 for sample in samples {
-                    let [red, green, blue] = *sum;
-                    *sum = [
-                        red + u32::from(sample.r()),
-                        green + u32::from(sample.g()),
-                        blue + u32::from(sample.b()),
-                    ];
+                    let parts = [sample.r(), sample.g(), sample.b()];
+                    let parts = sum.iter_mut().zip(parts);
+                    parts.for_each(|(sum, part)| *sum += u32::from(part));
                 }
             }
         }
         let count = smooth * smooth;
         // An average of bytes is a byte.
         let average = |sum: u32| ((sum + count / 2) / count) as u8;
-        let color =
-            |[red, green, blue]: [u32; 3]| Rgb888::new(average(red), average(green), average(blue));
-        sums.into_iter().map(color).collect()
+        let colors = sums.into_iter().map(|sum| sum.map(average));
+        let colors = colors.map(|[red, green, blue]| Rgb888::new(red, green, blue));
+        colors.collect()
     }
 
-    /// Returns the report of the rows that were drawn.
     pub fn report(&self) -> &Report {
         &self.report
     }
@@ -98,10 +91,8 @@ impl Frame {
             return None;
         }
         let mut hash = FrameHash::NONE;
-        self.drawn
-            .iter()
-            .flatten()
-            .for_each(|pixel| hash.add(*pixel));
+        let pixels = self.drawn.iter().flatten();
+        pixels.for_each(|pixel| hash.add(*pixel));
         Some(hash.value())
     }
 }

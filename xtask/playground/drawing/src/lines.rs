@@ -11,7 +11,6 @@ use crate::settings::Settings;
 
 /// A prepared frame, whatever its quality and its shading.
 pub trait Lines {
-    /// Draws row `y` into `pixels`.
     fn line(&self, scene: &FileScene, y: u32, pixels: &mut [Rgb888]) -> Report;
 
     /// Returns the most light that is missing in a traced pixel, in levels of 255.

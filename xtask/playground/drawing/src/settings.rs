@@ -37,19 +37,15 @@ impl Settings {
             ("smooth", self.smooth, 1..=4),
             ("display", self.display, 0..=5),
         ];
-        let wrong = limits
-            .iter()
-            .find(|(_, value, range)| !range.contains(value));
-        match wrong {
-            None => Ok(()),
-            Some((name, value, range)) => {
-                let (least, most) = (range.start(), range.end());
-                Err(format!("{name} must be {least} to {most}, not {value}"))
+        for (name, value, range) in limits {
+            if !range.contains(&value) {
+                let (least, most) = range.into_inner();
+                return Err(format!("{name} must be {least} to {most}, not {value}"));
             }
         }
+        Ok(())
     }
 
-    /// Returns the number of reflections.
     pub fn reflections(&self) -> u8 {
         u8::try_from(self.reflections).unwrap_or(u8::MAX)
     }

@@ -36,7 +36,6 @@ pub struct Control {
     pub requests: [u32; 2],
 }
 
-/// The channel.
 pub struct Dma {
     layout: &'static Control,
     values: [u32; 4],
@@ -54,7 +53,6 @@ impl Dma {
         }
     }
 
-    /// Reads a register.
     pub fn read(&self, offset: u32) -> u32 {
         match REGISTERS[offset as usize / 4] {
             COUNT => self.left,
@@ -63,7 +61,6 @@ impl Dma {
         }
     }
 
-    /// Writes a register.
     pub fn write(&mut self, offset: u32, value: u32) -> Result<(), Fault> {
         require!(self.left == 0, "the DMA is changed while it works");
         self.values[REGISTERS[offset as usize / 4]] = value;
@@ -90,7 +87,6 @@ impl Dma {
         Ok(Some(unit))
     }
 
-    /// Returns the next byte.
     pub fn next(&mut self, memory: &Memory) -> Result<u8, Fault> {
         let source = &mut self.values[READ];
         let byte = memory.read(*source, 1);

@@ -5,7 +5,6 @@ use crate::wires::Pin;
 /// Bit of a falling edge in the 4 bits of a pin.
 const FALL: u32 = 4;
 
-/// The edges of 32 pins.
 pub struct Edges {
     /// Offset of the first register of edges, and of the first that enables those of the first core.
     offsets: [u32; 2],
@@ -14,12 +13,10 @@ pub struct Edges {
 }
 
 impl Edges {
-    /// Creates edges with these offsets of their registers.
     pub fn new(offsets: [u32; 2]) -> Self {
         Self { offsets, falls: 0 }
     }
 
-    /// A pin falls.
     pub fn fall(&mut self, pin: Pin) {
         self.falls |= 1 << pin;
     }

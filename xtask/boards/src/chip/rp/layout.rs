@@ -2,7 +2,7 @@
 //! registers that both have are here.
 
 use super::dma::Control;
-use crate::registers::{Block, Gate, register, registers};
+use crate::registers::{Block, Gate, block, register, registers};
 
 /// Kinds of peripherals. `Plain` ones keep what is written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -21,57 +21,28 @@ pub enum Kind {
     Sio,
 }
 
-/// Returns a block without registers.
-pub const fn block(name: &'static str, kind: Kind, base: u32) -> Block<Kind> {
-    Block {
-        name,
-        kind,
-        base,
-        gate: None,
-        registers: &[],
-    }
-}
-
 /// Returns the gate of a block that a bit of RESETS keeps in reset.
-pub const fn reset(register: u32, bit: u32) -> Option<Gate> {
-    Some(Gate {
+pub const fn reset(register: u32, bit: u32) -> Gate {
+    Gate {
         register,
         mask: 1 << bit,
         open: 0,
         missing: "it is still in reset",
-    })
+    }
 }
 
-/// Returns an SPI.
-pub const fn spi(
-    name: &'static str,
-    unit: usize,
-    bases: [u32; 2],
-    gate: Option<Gate>,
-) -> Block<Kind> {
-    Block {
-        gate,
-        registers: const { &[registers(0, 10)] },
-        ..block(name, Kind::Spi(unit), bases[unit])
-    }
+pub const fn spi(name: &'static str, unit: usize, bases: [u32; 2]) -> Block<Kind> {
+    block(name, Kind::Spi(unit), bases[unit]).with(const { &[registers(0, 10)] })
 }
 
 /// Returns the DMA with its first channel.
-pub const fn dma(gate: Option<Gate>) -> Block<Kind> {
-    Block {
-        gate,
-        registers: const { &[registers(0, 16)] },
-        ..block("DMA", Kind::Dma, 0x5000_0000)
-    }
+pub const fn dma() -> Block<Kind> {
+    block("DMA", Kind::Dma, 0x5000_0000).with(const { &[registers(0, 16)] })
 }
 
-/// Returns a phase-locked loop.
-pub const fn pll(name: &'static str, base: u32, gate: Option<Gate>) -> Block<Kind> {
-    Block {
-        gate,
-        registers: const { &[register(0, 1), register(4, 0x2d), registers(8, 2)] },
-        ..block(name, Kind::Pll, base)
-    }
+pub const fn pll(name: &'static str, base: u32) -> Block<Kind> {
+    block(name, Kind::Pll, base)
+        .with(const { &[register(0, 1), register(4, 0x2d), registers(8, 2)] })
 }
 
 /// What differs between the chips.

@@ -17,7 +17,6 @@ const DMA_CONTROL: u32 = 0x24;
 /// Bytes in each buffer.
 const BUFFER: u64 = 8;
 
-/// One SPI unit.
 pub struct Spi {
     base: u32,
     serial: Serial,
@@ -30,7 +29,6 @@ impl Spi {
         Self { base, serial }
     }
 
-    /// Reads a register.
     pub fn read(&mut self, registers: &Registers<Kind>, offset: u32, now: u64) -> u32 {
         match offset {
             STATUS => {

@@ -45,10 +45,8 @@ pub fn run(sources: &[String]) -> Vec<String> {
         let scene = format!("s{at}::{}, s{at}::CAMERA", type_name(source));
         calls += &format!("println!(\"{{:016x}}\", draw!({scene}, 64));\n");
     }
-    write(
-        "src/main.rs",
-        &format!("{modules}{MAIN}fn main() {{\n{calls}}}\n"),
-    );
+    let main = format!("{modules}{MAIN}fn main() {{\n{calls}}}\n");
+    write("src/main.rs", &main);
     let cargo = Command::new("cargo")
         .args(["run", "--release", "--target-dir"])
         .arg(target().join("copied"))
@@ -61,7 +59,6 @@ pub fn run(sources: &[String]) -> Vec<String> {
     printed.lines().map(str::to_owned).collect()
 }
 
-/// Returns the name of the scene's type.
 fn type_name(source: &str) -> &str {
     let rest = source.split_once("pub struct ").expect("a scene").1;
     rest.split_once(" {").expect("its parts").0

@@ -107,10 +107,9 @@ impl Tab {
 
     pub fn go(&self, address: &str) {
         // A new fragment alone would not load the page again.
-        self.runtime
-            .block_on(self.client.goto("about:blank"))
-            .unwrap();
-        self.runtime.block_on(self.client.goto(address)).unwrap();
+        for address in ["about:blank", address] {
+            self.runtime.block_on(self.client.goto(address)).unwrap();
+        }
     }
 
     /// Runs the body of an asynchronous function in the page and returns what it returns.
@@ -119,10 +118,8 @@ impl Tab {
             "const done = arguments[0]; (async () => {{ {body} }})().then(\
              (value) => done({{ value }}), (error) => done({{ error: String(error) }}));"
         );
-        let answer = self
-            .runtime
-            .block_on(self.client.execute_async(&script, vec![]));
-        let mut answer = answer.unwrap();
+        let answer = self.client.execute_async(&script, vec![]);
+        let mut answer = self.runtime.block_on(answer).unwrap();
         assert!(answer["error"].is_null(), "{body}: {}", answer["error"]);
         answer["value"].take()
     }
@@ -140,7 +137,6 @@ impl Tab {
         entries.unwrap().as_array().unwrap().clone()
     }
 
-    /// Waits for a moment in which the page may change.
     pub fn wait(&self, milliseconds: u64) {
         thread::sleep(Duration::from_millis(milliseconds));
     }

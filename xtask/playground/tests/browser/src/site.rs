@@ -27,7 +27,6 @@ pub fn playground() -> Command {
     command
 }
 
-/// Returns cargo's target folder.
 pub fn target() -> PathBuf {
     repository().join(env::var_os("CARGO_TARGET_DIR").unwrap_or_else(|| "target".into()))
 }
@@ -53,9 +52,8 @@ pub fn address() -> &'static str {
 /// Returns the hashes that an emulated Cortex-M3 reported.
 pub fn kept_hashes() -> BTreeMap<String, String> {
     let text = fs::read_to_string(repository().join("docs/measured/m3.jsonl")).unwrap();
-    let rows = text
-        .lines()
-        .map(|line| serde_json::from_str::<Value>(line).unwrap());
+    let rows = text.lines().map(serde_json::from_str::<Value>);
+    let rows = rows.map(Result::unwrap);
     let fast = rows.filter(|row| row["quality"] == "fast");
     let word = |row: &Value, key: &str| row[key].as_str().unwrap().to_owned();
     fast.map(|row| (word(&row, "scene"), word(&row, "hash")))
@@ -67,12 +65,8 @@ impl Tab {
     pub fn visit(&self, address: &str) {
         self.go(address);
         let state = self.settled();
-        assert!(
-            state == "ready",
-            "{state}: {} {:?}",
-            self.text_of("error"),
-            self.log()
-        );
+        let reason = || format!("{} {:?}", self.text_of("error"), self.log());
+        assert!(state == "ready", "{state}: {}", reason());
     }
 
     /// Waits until the page has drawn or refused what it was asked for last. Returns its state.
@@ -96,19 +90,13 @@ impl Tab {
     pub fn scenes(&self) -> Vec<(String, String)> {
         let list = self.run("return [...document.getElementById('scene').options].map((it) => [it.value, it.text]);");
         let pairs = list.as_array().unwrap().iter();
-        let pairs = pairs.map(|it| {
-            (
-                it[0].as_str().unwrap().into(),
-                it[1].as_str().unwrap().into(),
-            )
-        });
-        pairs.collect()
+        let word = |it: &Value| it.as_str().unwrap().to_owned();
+        pairs.map(|it| (word(&it[0]), word(&it[1]))).collect()
     }
 
     pub fn text_of(&self, id: &str) -> String {
-        self.text(&format!(
-            "return document.getElementById('{id}').textContent.trim();"
-        ))
+        let body = format!("return document.getElementById('{id}').textContent.trim();");
+        self.text(&body)
     }
 
     pub fn hash(&self) -> String {
