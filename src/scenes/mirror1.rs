@@ -2,27 +2,27 @@
 
 use crate::{Camera, Material, scene};
 
-const FLOOR: Material = Material::new([0.9, 0.9, 0.9])
+pub(super) const FLOOR: Material = Material::new([0.9, 0.9, 0.9])
     .ambient(0.1)
     .diffuse(0.9)
     .specular(0.1, 4.0)
     .mirror(0.2);
-const WHITE: Material = Material::new([0.9, 0.9, 0.9])
+pub(super) const WHITE: Material = Material::new([0.9, 0.9, 0.9])
     .ambient(0.2)
     .diffuse(0.9)
     .specular(0.1, 4.0)
     .mirror(0.1);
-const MIRROR: Material = Material::new([0.9, 0.9, 0.9])
+pub(super) const MIRROR: Material = Material::new([0.9, 0.9, 0.9])
     .ambient(0.0)
     .diffuse(0.0)
     .specular(1.0, 8.0)
     .mirror(0.9);
-const RED_PARTICLE: Material = Material::new([0.9, 0.3, 0.1])
+pub(super) const RED_PARTICLE: Material = Material::new([0.9, 0.3, 0.1])
     .ambient(0.2)
     .diffuse(0.5)
     .specular(0.9, 10.0)
     .mirror(0.1);
-const BLUE_PARTICLE: Material = Material::new([0.1, 0.3, 0.9])
+pub(super) const BLUE_PARTICLE: Material = Material::new([0.1, 0.3, 0.9])
     .ambient(0.2)
     .diffuse(0.5)
     .specular(0.9, 10.0)
