@@ -3,18 +3,20 @@
 use super::{HALF, Sum};
 use crate::number::{narrowed, signed, to_u16, unsigned, wide};
 
-/// A colour as a display shows it: red, green and blue, clamped to 0 to 255 levels, in steps of 1/256 of a level.
+/// A colour as a display shows it: red, green and blue, clamped to 0 to 255 levels, in steps of 1/256 of a level. Half a level
+/// is added to each, as in a [`Sum`], so the upper byte is the rounded level.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Levels([u16; 3]);
 
 impl Levels {
-    /// No light.
+    /// All zeros, which a display shows as no light.
     pub const DARK: Self = Self([0; 3]);
 
     /// Clamps a sum, and rounds it down.
     #[inline(always)]
     pub fn of(Sum(sum): Sum) -> Self {
-        Self(sum.map(|part| to_u16(unsigned((part - HALF).clamp(0, 255 << 16)) >> 8)))
+        let level = |part: i32| unsigned((part - HALF).clamp(0, 255 << 16) + HALF);
+        Self(sum.map(|part| to_u16(level(part) >> 8)))
     }
 
     /// Returns the mean of two colours.
@@ -27,7 +29,7 @@ impl Levels {
     /// Returns the sum that shows the colour.
     #[inline(always)]
     pub fn sum(self) -> Sum {
-        Sum(self.0.map(|part| (i32::from(part) << 8) + HALF))
+        Sum(self.0.map(|part| i32::from(part) << 8))
     }
 
     /// Returns the largest difference of a component from that of another colour, in 8-bit levels, rounded down.

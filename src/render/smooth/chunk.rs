@@ -61,6 +61,9 @@ impl<'c> Chunk<'c> {
         &mut self,
         walker: &mut Walker<'_, '_, W, K, Q>,
     ) -> u32 {
+        if self.upper.is_one_with(self.lower) {
+            return 0;
+        }
         let mut crossed = self.upper.crossed | self.lower.crossed;
         let corners = self.upper.corners.iter().zip(&self.lower.corners);
         for (place, ((upper, lower), side)) in (0..).zip(corners.zip(&mut self.uprights)) {
@@ -82,17 +85,20 @@ impl<'c> Chunk<'c> {
             return 0;
         };
         let mut left = Cell::sum([upper, lower]);
+        let mut left_light = left.brightness();
         let (mut steep, mut bit) = (0, 1);
         for ((upper, lower), color) in corners.zip(colors) {
             let right = Cell::sum([upper, lower]);
             *color = left.with(right).mean(4);
-            let across = left.brightness() - right.brightness();
-            let down = upper.color.brightness() - lower.color.brightness();
+            let right_light = right.brightness();
+            let across = left_light - right_light;
+            // That of the upper corner less that of the lower one.
+            let down = 2 * upper.color.brightness() - right_light;
             if across.abs() > 2 * STEEP || down.abs() > STEEP {
                 steep |= bit;
             }
             bit <<= 1;
-            left = right;
+            (left, left_light) = (right, right_light);
         }
         steep
     }

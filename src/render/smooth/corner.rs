@@ -93,6 +93,8 @@ pub(crate) struct Line {
     chunk: u16,
     /// Whether all corners are known to be the same.
     pub(super) is_flat: bool,
+    /// Whether all corners in the picture are known to meet the same.
+    pub(super) is_one: bool,
 }
 
 impl Line {
@@ -104,6 +106,7 @@ impl Line {
         crossed: 0,
         chunk: 0,
         is_flat: false,
+        is_one: false,
     };
 
     /// Tests whether this is a line of the chunk that begins at column `first`.
@@ -119,6 +122,11 @@ impl Line {
     /// Tests whether all corners of this line and of another one are known to be the same.
     pub(super) fn is_flat_with(&self, other: &Self) -> bool {
         self.is_flat && other.is_flat && self.corners[0] == other.corners[0]
+    }
+
+    /// Tests whether all corners of this line and of another one are known to meet the same.
+    pub(super) fn is_one_with(&self, other: &Self) -> bool {
+        self.is_one && other.is_one && self.corners[0].path == other.corners[0].path
     }
 
     /// Makes it the same as another line. Inlined, it would link a copy for parts of memory that overlap.
@@ -137,7 +145,7 @@ impl Line {
         (self.line, self.chunk) = (line + 1, to_u16(first / CHUNK));
         self.sides = [Side::WHOLE; CHUNK as usize];
         self.crossed = 0;
-        self.is_flat = false;
+        (self.is_flat, self.is_one) = (false, false);
     }
 }
 

@@ -59,7 +59,7 @@ impl<W: World, K: Shading, Q: Quality> Walker<'_, '_, W, K, Q> {
         let last = (first + CHUNK).min(self.width);
         if let Some(all) = self.row.missed_until(first, last).map(Corner::of) {
             found.corners = [all; CHUNK as usize + 1];
-            found.is_flat = true;
+            (found.is_flat, found.is_one) = (true, true);
             return;
         }
         let [walked @ .., after] = &mut found.corners;
@@ -69,16 +69,25 @@ impl<W: World, K: Shading, Q: Quality> Walker<'_, '_, W, K, Q> {
             color: Levels::of(sum),
             ..Corner::NONE
         });
-        for (corner, path) in pixels.iter_mut().zip(&self.row.marks.paths) {
+        let paths = &self.row.marks.paths;
+        let one = paths[0];
+        let mut is_one = true;
+        for (corner, path) in pixels.iter_mut().zip(paths) {
             corner.path = *path;
+            is_one &= *path == one;
         }
-        *after = match first + CHUNK <= self.width {
-            true => Corner::of(self.row.after(first + CHUNK)),
-            false => Corner::NONE,
-        };
+        *after = Corner::NONE;
+        if first + CHUNK <= self.width {
+            *after = Corner::of(self.row.after(first + CHUNK));
+            is_one &= after.path == one;
+        }
         // Beyond the picture no edge crosses a side.
         let beyond = walked.get_mut(count as usize..).unwrap_or_default();
         beyond.fill(Corner::NONE);
+        found.is_one = is_one;
+        if is_one {
+            return;
+        }
         let pairs = found.corners.iter().zip(found.corners.iter().skip(1));
         let columns = first..self.width;
         for (column, ((start, end), side)) in columns.zip(pairs.zip(&mut found.sides)) {
