@@ -109,18 +109,13 @@ impl<W: World, K: sealed::Shading, Q: Quality> SmoothColors<'_, '_, W, K, Q> {
         for line in line..line + Walker::<W, K, Q>::LINES {
             walker.walk(line + 1, first, lower);
             let mut chunk = Chunk::new([first, count], [upper, lower]);
-            if Walker::<W, K, Q>::LINES == 1 {
+            if Walker::<W, K, Q>::LINES == 1 || line == walker.first_line() {
                 chunk.paint(walker, colors);
             } else {
                 let mut painted = [Levels::DARK; CHUNK as usize];
                 chunk.paint(walker, &mut painted);
-                match line == walker.first_line() {
-                    true => *colors = painted,
-                    false => {
-                        for (color, part) in colors.iter_mut().zip(painted) {
-                            *color = color.half_way(part);
-                        }
-                    }
+                for (color, part) in colors.iter_mut().zip(painted) {
+                    *color = color.half_way(part);
                 }
             }
             match upper.is_flat_with(lower) {

@@ -1,5 +1,6 @@
 //! The built-in scene `columns`.
 
+use super::shading_speculars::SHINY;
 use crate::{Camera, Material, scene};
 
 const FLOOR: Material = Material::new([0.9, 0.9, 0.9])
@@ -7,11 +8,6 @@ const FLOOR: Material = Material::new([0.9, 0.9, 0.9])
     .diffuse(0.5)
     .specular(0.4, 4.0)
     .mirror(0.4);
-const SHINY: Material = Material::new([0.9, 0.3, 0.1])
-    .ambient(0.1)
-    .diffuse(0.3)
-    .specular(0.9, 10.0)
-    .mirror(0.2);
 
 pub(super) const CAMERA: Camera =
     Camera::look_at([0.0, -8.0, 6.0], [0.0, 0.0, 0.0], [0.0, 0.0, 1.0]).fov(70.0);

@@ -2,7 +2,7 @@
 
 use crate::{Camera, Material, scene};
 
-const GREEN: Material = Material::new([0.3, 1.0, 0.4])
+pub(super) const GREEN: Material = Material::new([0.3, 1.0, 0.4])
     .ambient(0.2)
     .diffuse(0.9)
     .specular(0.1, 4.0);

@@ -2,7 +2,7 @@
 
 use crate::{Camera, Material, scene};
 
-const WHITE: Material = Material::new([0.9, 0.9, 0.9])
+pub(super) const WHITE: Material = Material::new([0.9, 0.9, 0.9])
     .ambient(0.6)
     .diffuse(0.9)
     .specular(0.1, 4.0)

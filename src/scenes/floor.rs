@@ -1,12 +1,7 @@
 //! The built-in scene `floor`.
 
-use crate::{Camera, Material, scene};
-
-const WHITE: Material = Material::new([0.9, 0.9, 0.9])
-    .ambient(0.6)
-    .diffuse(0.9)
-    .specular(0.1, 4.0)
-    .mirror(0.1);
+use super::cylinders::WHITE;
+use crate::{Camera, scene};
 
 pub(super) const CAMERA: Camera =
     Camera::look_at([-2.0, 0.0, 1.0], [0.0, 0.0, 0.0], [1.0, 0.0, 0.75]).fov(75.0);

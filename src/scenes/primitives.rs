@@ -1,16 +1,9 @@
 //! The built-in scene `primitives`.
 
+use super::corner1::GREEN;
+use super::cylinders::WHITE;
 use crate::{Camera, Material, scene};
 
-const GREEN: Material = Material::new([0.3, 1.0, 0.4])
-    .ambient(0.2)
-    .diffuse(0.9)
-    .specular(0.1, 4.0);
-const WHITE: Material = Material::new([0.9, 0.9, 0.9])
-    .ambient(0.6)
-    .diffuse(0.9)
-    .specular(0.1, 4.0)
-    .mirror(0.1);
 const MIRROR: Material = Material::new([0.9, 0.9, 0.9])
     .ambient(0.0)
     .diffuse(0.0)

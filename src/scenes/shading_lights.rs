@@ -2,7 +2,7 @@
 
 use crate::{Camera, Material, scene};
 
-const FLOOR: Material = Material::new([0.9, 0.9, 0.9])
+pub(super) const FLOOR: Material = Material::new([0.9, 0.9, 0.9])
     .ambient(0.1)
     .diffuse(0.9)
     .specular(0.1, 4.0)

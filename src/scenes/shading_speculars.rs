@@ -1,24 +1,18 @@
 //! The built-in scene `shading_speculars`.
 
-use crate::{Camera, Material, scene};
+pub(super) use super::shading_lights::CAMERA;
+use super::shading_lights::FLOOR;
+use crate::{Material, scene};
 
-const FLOOR: Material = Material::new([0.9, 0.9, 0.9])
-    .ambient(0.1)
-    .diffuse(0.9)
-    .specular(0.1, 4.0)
-    .mirror(0.2);
 const WHITE: Material = Material::new([0.9, 0.9, 0.9])
     .ambient(0.1)
     .diffuse(0.9)
     .specular(0.1, 2.0);
-const SHINY: Material = Material::new([0.9, 0.3, 0.1])
+pub(super) const SHINY: Material = Material::new([0.9, 0.3, 0.1])
     .ambient(0.1)
     .diffuse(0.3)
     .specular(0.9, 10.0)
     .mirror(0.2);
-
-pub(super) const CAMERA: Camera =
-    Camera::look_at([0.0, -4.0, 0.0], [0.0, 0.0, 0.0], [0.0, 0.0, 1.0]).fov(70.0);
 
 scene! {
     /// The scene `shading_speculars`: matte and shiny spheres and cylinders around one light.

@@ -39,7 +39,7 @@ impl<'c> Chunk<'c> {
     }
 
     /// Computes the colours of all pixels.
-    #[inline(always)]
+    #[inline]
     pub(super) fn paint<W: World, K: Shading, Q: Quality>(
         &mut self,
         walker: &mut Walker<'_, '_, W, K, Q>,
