@@ -40,7 +40,7 @@ impl Levels {
         u32::from(largest >> 8)
     }
 
-    /// Returns the sum of the components, in steps of 1/256 of an 8-bit level.
+    /// Returns the sum of the components and of the half levels added to them, in steps of 1/256 of an 8-bit level.
     #[inline(always)]
     pub fn brightness(self) -> i32 {
         let [red, green, blue] = self.0.map(i32::from);
