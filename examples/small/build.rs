@@ -5,8 +5,10 @@ fn main() {
     let variable = |name: &str| std::env::var(name).expect("cargo sets it");
     let is_riscv = variable("CARGO_CFG_TARGET_ARCH") == "riscv32";
     let board = if is_riscv { "riscv" } else { "microbit" };
-    let folder = variable("CARGO_MANIFEST_DIR");
-    println!("cargo::rustc-link-search={folder}/{board}");
+    // A copy: a path into this folder would be wrong for the next folder that shares the target folder.
+    let folder = variable("OUT_DIR");
+    std::fs::copy(format!("{board}/memory.x"), format!("{folder}/memory.x")).expect("it is there");
+    println!("cargo::rustc-link-search={folder}");
     if is_riscv {
         println!("cargo::rustc-link-arg-bins=-Tmemory.x");
     }

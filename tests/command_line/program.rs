@@ -145,7 +145,8 @@ fn binary(example: &'static str) -> PathBuf {
             true => ("test", "debug"),
             false => ("release", "release"),
         };
-        let program = target.join(folder).join("examples").join(example);
+        let program = format!("{example}{}", env::consts::EXE_SUFFIX);
+        let program = target.join(folder).join("examples").join(program);
         if env::var_os(ARE_BUILT).is_some() {
             return program;
         }
@@ -157,6 +158,7 @@ fn binary(example: &'static str) -> PathBuf {
         let features: Vec<_> = features.map(|(name, _)| name).collect();
         let output = Command::new(env!("CARGO"))
             .current_dir(env!("CARGO_MANIFEST_DIR"))
+            .env_remove("CARGO_BUILD_TARGET")
             .args(["build", "--example", example, "--profile", profile])
             .args(["--features", &features.join(",")])
             .arg("--target-dir")

@@ -16,7 +16,7 @@ use crate::board::chip::hal::sio::SioFifo;
 use crate::screen::{Line, Screen};
 use crate::view::View;
 
-/// Stack of the second core: 4096 words. A row of the castle takes 9 KiB at most.
+/// Stack of the second core: 4096 words. A row of the castle takes 9 KiB at most, and 2 KiB more with smooth edges.
 static STACK: Stack<4096> = Stack::new();
 
 /// Number of words that the FIFO between the cores holds.

@@ -236,7 +236,7 @@ impl Problem {
     }
 }
 
-/// Rounds a positive number to four digits.
+/// Rounds a positive, finite number to four digits.
 fn rounded(number: f64) -> f64 {
     // Not by formatting: that would link tables of `core` that nothing else reads.
     let (mut unit, mut parts) = (1.0, 1.0);
@@ -283,3 +283,18 @@ macro_rules! refused {
     };
 }
 kinds!(shapes, refused);
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn four_digits_are_left_of_a_number() {
+        let numbers = [12_345.6, 9_999.6, 1e3, 999.96, 1.0, power_of_two(-22)];
+        let rounded = numbers.map(|number| format!("{}", rounded(number)));
+        assert_eq!(
+            rounded,
+            ["12350", "10000", "1000", "1000", "1", "0.0000002384"]
+        );
+    }
+}

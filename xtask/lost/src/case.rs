@@ -132,8 +132,9 @@ pub fn difference(one: Pixel, other: Pixel) -> u8 {
     channels.max().unwrap_or(0)
 }
 
-/// Tests for each pixel whether two pictures differ by at most this.
+/// Tests for each pixel whether two pictures of one size differ by at most this.
 pub fn within(one: &Picture, other: &Picture, most: u8) -> impl Iterator<Item = bool> {
+    assert_eq!(one.pixels.len(), other.pixels.len());
     let pixels = one.pixels.iter().zip(&other.pixels);
     pixels.map(move |(one, other)| difference(*one, *other) <= most)
 }

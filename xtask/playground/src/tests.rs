@@ -61,7 +61,7 @@ fn opened(name: &str) -> Playground {
 
 /// Draws a frame, and returns its pixels and what it tells.
 fn drawn(playground: &mut Playground, settings: Settings) -> (Vec<u8>, Value) {
-    playground.frame(settings).unwrap();
+    assert_eq!(playground.frame(settings).unwrap(), "");
     let rows = (0..settings.height).flat_map(|y| playground.row(y).to_vec());
     let pixels = rows.collect();
     (pixels, parsed(&playground.finish()))
@@ -147,16 +147,16 @@ fn view_orbits_from_the_camera_of_the_file_and_comes_back() {
     let mut playground = opened("castle");
     let start = parsed(&playground.camera());
     let (before, _) = drawn(&mut playground, MEASURED);
-    playground.set_view(30_000, 5_000, 500).unwrap();
+    assert_eq!(playground.set_view(30_000, 5_000, 500).unwrap(), "");
     let turned = parsed(&playground.camera());
     assert_eq!(turned["target"], start["target"]);
     let half = start["fov"].as_f64().map(|it| it / 2.0);
     assert_eq!(turned["fov"].as_f64(), half);
     assert_ne!(drawn(&mut playground, MEASURED).0, before);
     for zoom in [0, u32::MAX] {
-        playground.set_view(0, 0, zoom).unwrap();
+        assert_eq!(playground.set_view(0, 0, zoom).unwrap(), "");
     }
-    playground.set_view(0, 0, 1000).unwrap();
+    assert_eq!(playground.set_view(0, 0, 1000).unwrap(), "");
     assert_eq!(parsed(&playground.camera()), start);
     assert_eq!(drawn(&mut playground, MEASURED).0, before);
 }
@@ -223,7 +223,7 @@ fn smooth_picture_has_averages_and_no_hash() {
 #[test]
 fn hash_waits_for_the_last_row() {
     let mut playground = opened("floor");
-    playground.frame(MEASURED).unwrap();
+    assert_eq!(playground.frame(MEASURED).unwrap(), "");
     for y in (1..64).rev() {
         playground.row(y);
     }
@@ -316,7 +316,7 @@ fn rust_source_has_every_part_and_the_camera_of_the_view() {
             let expected = file[list].as_array().map_or(0, Vec::len);
             assert_eq!(count(part), expected, "{name}: {list}");
         }
-        playground.set_view(10_000, 0, 1000).unwrap();
+        assert_eq!(playground.set_view(10_000, 0, 1000).unwrap(), "");
         let turned = parsed(&playground.camera());
         let position = turned["position"].as_array().unwrap();
         let [x, y, z] = [0, 1, 2].map(|axis| position[axis].as_f64().unwrap());

@@ -381,7 +381,7 @@ mod tests {
     #[cfg(unix)]
     #[test]
     fn version_is_asked_after_a_missing_emulator_was_got() {
-        use std::{fs, os::unix::fs::PermissionsExt, process, sync::LazyLock};
+        use std::{fs, process, sync::LazyLock};
 
         static LATE: LazyLock<String> = LazyLock::new(|| {
             let name = format!("reflet-late-qemu-{}", process::id());
@@ -391,18 +391,18 @@ mod tests {
             name: "late emulator",
             is_there: || Path::new(&*LATE).exists(),
             get: || {
-                fs::write(&*LATE, "#!/bin/sh\necho QEMU emulator version 7.2.22\n")?;
-                Ok(fs::set_permissions(
-                    &*LATE,
-                    PermissionsExt::from_mode(0o755),
-                )?)
+                // Another process writes it: a file that is open here cannot be executed.
+                let lines = r"#!/bin/sh\necho QEMU emulator version 7.2.22\n";
+                let script = format!("printf '{lines}' > $0 && chmod +x $0");
+                Ok(Program::new("sh").args(["-c", &script, &LATE]).stream()?)
             },
             by_hand: "wait",
             without: None,
         };
         let options = Qemu::new(&LATE, &NEED).one_by_one();
-        fs::remove_file(&*LATE).unwrap();
+        let removed = fs::remove_file(&*LATE);
         assert_eq!(options.unwrap(), ["-singlestep"]);
+        removed.unwrap();
     }
 
     #[test]

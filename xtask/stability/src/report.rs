@@ -1,4 +1,4 @@
-//! Formats the results of the cases as lines. Never tries a case.
+//! Tries the cases, and formats their results as lines. Never prints.
 
 use super::catalogue::judge::{Verdict, judge};
 use super::catalogue::{Case, chapters};

@@ -28,11 +28,11 @@ pub(super) fn constants(names: &[String], type_name: &str) -> Vec<String> {
     let mut constants: Vec<String> = Vec::new();
     for name in names.iter().map(|name| constant(name)) {
         let numbered = (2..).map(|number| format!("{name}_{number}"));
-        let candidates = core::iter::once(name.clone()).chain(numbered);
+        let mut candidates = core::iter::once(name.clone()).chain(numbered);
         let is_free =
             |name: &String| name != "CAMERA" && name != type_name && !constants.contains(name);
-        let free = { candidates }.find(is_free);
-        constants.extend(free);
+        let free = candidates.find(is_free);
+        constants.push(free.expect("numbers do not end"));
     }
     constants
 }

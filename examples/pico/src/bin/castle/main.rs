@@ -53,6 +53,7 @@ fn main() -> ! {
                 let turned = view.camera.orbited(azimuth, elevation);
                 view.camera = turned.unwrap_or(view.camera);
             }
+            // Without the feature `smooth` the picture stays as it is.
             Request::Select => view.is_smooth = !view.is_smooth,
         }
     }
