@@ -164,12 +164,12 @@ struct Wrong {
 }
 
 impl Wrong {
-    /// A program that the library stops because of a part.
+    /// Creates a program that must not compile. The message names the faulty part and what is wrong with it.
     fn new(items: String, part: &str, kind: ErrorKind) -> Self {
         Self::stopped(items, &format!("{part}: {}", kind.message()))
     }
 
-    /// A program that the library stops with these words.
+    /// Creates a program that must not compile, with these words as the message.
     fn stopped(items: String, words: &str) -> Self {
         Self {
             items,

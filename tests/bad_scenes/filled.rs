@@ -45,7 +45,7 @@ struct Addition {
     add: Add,
 }
 
-/// Returns an addition to a scene that has one part of every kind. Errors number all but the whole scene and its sky.
+/// Returns an addition to a scene that has one part of each kind: an error names number 1, or none for scene and sky.
 fn addition<T, A>(part: &'static str, add: A) -> Addition
 where
     A: Fn(&mut Scenery, MaterialId) -> Result<T, Error> + 'static,

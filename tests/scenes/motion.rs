@@ -76,7 +76,7 @@ impl Move {
     }
 }
 
-/// The places of a scene's parts, and their materials.
+/// The parts of a scene at their first places, and the materials.
 struct Places {
     parts: reference::Scene,
     materials: Vec<Material>,

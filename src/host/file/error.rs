@@ -238,7 +238,7 @@ impl Problem {
 
 /// Rounds a positive, finite number to four digits.
 fn rounded(number: f64) -> f64 {
-    // Not by formatting: that would link tables of `core` that nothing else reads.
+    // Formatting with a precision would link tables of `core` that nothing else reads.
     let (mut unit, mut parts) = (1.0, 1.0);
     while number >= 1e4 * unit {
         unit *= 10.0;

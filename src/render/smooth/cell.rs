@@ -24,7 +24,7 @@ impl Cell {
         self.sides.iter().all(|side| side.is_whole())
     }
 
-    /// Returns the contrast by which the number of samples is chosen, in 8-bit levels; 0 if the pixel needs none.
+    /// Returns the contrast that decides how many samples the pixel takes, in 8-bit levels; 0 if it takes none.
     pub(super) fn contrast(&self) -> u32 {
         let divided = self.sides.iter().filter(|side| !side.is_whole()).count();
         let is_tangled = divided > 2 || self.sides.iter().any(|side| side.is_tangled());

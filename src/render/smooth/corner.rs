@@ -91,9 +91,9 @@ pub(crate) struct Line {
     pub(super) crossed: u32,
     /// The chunk, counted from the left.
     chunk: u16,
-    /// Whether all corners are known to be the same.
+    /// Whether all corners are known to have one colour, because no path hits anything.
     pub(super) is_flat: bool,
-    /// Whether all corners in the picture are known to meet the same.
+    /// Whether the paths through all corners in the picture are known to hit the same shapes, lit by the same lights.
     pub(super) is_one: bool,
 }
 
@@ -124,7 +124,7 @@ impl Line {
         self.is_flat && other.is_flat && self.corners[0] == other.corners[0]
     }
 
-    /// Tests whether all corners of this line and of another one are known to meet the same.
+    /// Tests whether the paths through all corners of two lines are known to hit the same shapes, lit by the same lights.
     pub(super) fn is_one_with(&self, other: &Self) -> bool {
         self.is_one && other.is_one && self.corners[0].path == other.corners[0].path
     }

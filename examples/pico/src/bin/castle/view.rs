@@ -39,7 +39,7 @@ fn with_rows_of<Q: Quality, R>(
 
 impl<Q: Quality> Rows for reflet::Rows<'_, Shown, Q> {
     fn row(&self, y: u32, line: &mut Line) {
-        // Without a seam: rows do not come one after the other.
+        // A seam would not help: consecutive rows are drawn neither in order nor by the same core.
         line.fill(1, |colors| {
             self.row(y, 0, colors);
         });
