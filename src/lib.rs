@@ -88,7 +88,7 @@
 //!
 //! | what | where |
 //! |---|---|
-//! | qualities, which say how exact a picture is: `Fast`, `Exact`, `Small`, `Draft`; smooth edges: `Smooth` | [`quality`] |
+//! | qualities, which say how exact a picture is: `Fast`, `Exact`, `Small`; smooth edges: `Smooth` | [`quality`] |
 //! | shading models: Phong, Blinn-Phong | [`shading`] |
 //! | dithering for displays with few levels, larger pixels | [`display`] |
 //! | frames with a budget of instructions or time | [`budget`] |
@@ -243,7 +243,7 @@ pub use vector::Position;
 
 /// Qualities: types that say how exact a picture is, and which approximations a frame uses.
 pub mod quality {
-    pub use crate::render::{Draft, Exact, Fast, Quality, Seam, Small, Smooth};
+    pub use crate::render::{Exact, Fast, Quality, Seam, Small, Smooth};
 }
 
 /// Shading models: types that say how the colour of a surface is computed.

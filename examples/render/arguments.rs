@@ -37,7 +37,7 @@ pub struct Arguments {
 
     /// How exactly fixed point computes
     #[arg(long, default_value = "fast", hide_possible_values = true)]
-    #[arg(value_name = "draft|fast|small|exact")]
+    #[arg(value_name = "fast|small|exact")]
     quality: Quality,
 
     /// Draw smooth edges in the quality fast: K is 2, or 4 for finer ones

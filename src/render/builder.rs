@@ -75,7 +75,7 @@ impl<'a, S: Drawable, Q: Quality, K: Shading> FrameBuilder<'a, S, Q, K> {
     }
 
     /// Sets the quality: [`Fast`] (the default), [`Exact`](crate::quality::Exact),
-    /// [`Small`](crate::quality::Small), which takes the least flash, [`Draft`](crate::quality::Draft), or a type of your own.
+    /// [`Small`](crate::quality::Small), which takes the least flash, or a type of your own.
     #[must_use]
     pub fn quality<NewQ: Quality>(self) -> FrameBuilder<'a, S, NewQ, K> {
         self.with_kinds()

@@ -40,8 +40,12 @@ pub(crate) const fn block_of(width: u32) -> u32 {
     }
 }
 
-/// Number of columns of a block in a quality that guesses, and of a window if every pixel is traced.
+/// Number of columns of a window if every pixel is traced.
 const SHORT: u32 = 8;
+
+/// Length of the shortest stretch of which it is found out what lies between: in shorter ones, that would take longer
+/// than to trace what is left.
+const SHORTEST: u32 = 8;
 
 /// Number of traced pixels whose hits are stored: 0 and 1 are the ends of a block, then one for each division;
 /// the last is [`UNREAD`].
@@ -90,10 +94,6 @@ impl<'s, 'a, W: World, K: Shading, Q: Quality, M: Marks> Colors<'s, 'a, W, K, Q,
     /// Tolerance of interpolated colours, in steps of a [`Sum`].
     const TOLERANCE: i32 = Q::TOLERANCE.to_bits() >> 6;
 
-    /// Length of the shortest stretch of which it is found out what lies between: in shorter ones, that would
-    /// take longer than to trace what is left.
-    const SHORTEST: u32 = if Q::IS_SURE { 8 } else { 4 };
-
     /// Compile-time check of a quality: its tolerance and its number of rows.
     const IS_SOUND: () = {
         assert!(
@@ -117,7 +117,6 @@ impl<'s, 'a, W: World, K: Shading, Q: Quality, M: Marks> Colors<'s, 'a, W, K, Q,
     fn block(tracer: &Tracer<'a, W, K, Q>, width: u32) -> u32 {
         match Self::traces_each(tracer) {
             true => 1,
-            false if !Q::IS_SURE => SHORT,
             false => block_of(width),
         }
     }

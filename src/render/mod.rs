@@ -13,7 +13,7 @@ mod walk;
 
 pub use builder::FrameBuilder;
 pub use prepared::{PreparedFrame, Rows};
-pub use quality::{Draft, Exact, Fast, Quality, Small, Smooth};
+pub use quality::{Exact, Fast, Quality, Small, Smooth};
 pub use report::Report;
 pub(crate) use report::light_cut_off;
 pub use smooth::Seam;

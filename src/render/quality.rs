@@ -38,17 +38,10 @@ pub trait Quality {
 
     /// Tolerance of interpolated pixels, as a share of white, 0 to 1. If it is 0, every pixel is traced.
     ///
-    /// The tolerance bounds by how much the colours of traced pixels may differ from a parabola.
+    /// A pixel is interpolated only if its path is certain to meet the same shapes, lit by the same lights, as two
+    /// traced pixels beside it: no shape, shadow or highlight is lost, however thin. The tolerance bounds by how much
+    /// the colours of traced pixels may differ from a parabola.
     const TOLERANCE: Unit;
-
-    /// Whether a pixel is interpolated only if its path is certain to meet the same shapes, lit by the same
-    /// lights, as two traced pixels beside it. Defaults to `true`: no shape, shadow or highlight is lost,
-    /// however thin.
-    ///
-    /// If `false`, it suffices that two traced pixels at most eight columns apart meet the same, and that the
-    /// colour half way fits. What is
-    /// narrower than four columns may be lost.
-    const IS_SURE: bool = true;
 
     /// Whether frames leave out most code and tables for speed, to save flash. Defaults to `false`.
     ///
@@ -96,7 +89,6 @@ pub struct Smooth<const K: u32, Q = Fast>(PhantomData<Q>);
 impl<const K: u32, Q: Quality> Quality for Smooth<K, Q> {
     const SMALLEST_WEIGHT: Unit = Q::SMALLEST_WEIGHT;
     const TOLERANCE: Unit = Q::TOLERANCE;
-    const IS_SURE: bool = Q::IS_SURE;
     const IS_SMALL: bool = Q::IS_SMALL;
     const IS_PRECISE: bool = Q::IS_PRECISE;
     const SMOOTHNESS: u32 = {
@@ -115,20 +107,6 @@ pub struct Fast;
 impl Quality for Fast {
     const SMALLEST_WEIGHT: Unit = Unit::from_bits(1 << 22);
     const TOLERANCE: Unit = Unit::from_bits(1 << 22);
-}
-
-/// The quality for previews and for pictures in motion: it guesses what lies between traced pixels.
-///
-/// As [`Fast`], but a pixel is interpolated if the traced pixels around it meet the same shapes, lit by the
-/// same lights. What is narrower than four columns may be lost, or look dashed: rods, the shadow of a fence,
-/// a highlight, the cap of a sphere. It takes less time and less flash than [`Fast`].
-#[derive(Clone, Copy, Debug)]
-pub struct Draft;
-
-impl Quality for Draft {
-    const SMALLEST_WEIGHT: Unit = <Fast as Quality>::SMALLEST_WEIGHT;
-    const TOLERANCE: Unit = <Fast as Quality>::TOLERANCE;
-    const IS_SURE: bool = false;
 }
 
 /// The quality that takes the least flash: at least as exact as [`Fast`], but without most of the code and
@@ -173,7 +151,6 @@ impl<Q: Quality> CullingQuality for Q {
 impl<Q: Quality> PathQuality for Q {
     const SMALLEST_WEIGHT: Unit = <Q as Quality>::SMALLEST_WEIGHT;
     const TOLERANCE: Unit = <Q as Quality>::TOLERANCE;
-    const IS_SURE: bool = <Q as Quality>::IS_SURE;
 }
 
 #[cfg(test)]

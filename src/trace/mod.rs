@@ -53,9 +53,6 @@ pub trait PathQuality: CullingQuality + LightQuality {
 
     /// Tolerance of interpolated pixels, as a share of white. If it is 0, every pixel is traced.
     const TOLERANCE: Unit;
-
-    /// Whether pixels are interpolated only if it is certain what they show.
-    const IS_SURE: bool;
 }
 
 /// The result of a path: its colour, and its signature, a hash of what it hit.
@@ -194,7 +191,7 @@ impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
         // Hits are stored from this throughput on: those that can be seen; none if nobody reads them.
         let least = is_read.then(|| world.parts().smallest_weight(Q::TOLERANCE));
         let least = least.unwrap_or(Unit::from_bits(i32::MAX));
-        let is_seen = |throughput| Self::IS_INTERPOLATED && Q::IS_SURE && throughput >= least;
+        let is_seen = |throughput| Self::IS_INTERPOLATED && throughput >= least;
         loop {
             let Some(surface) = self.surface(&mut pixel, &ray, &bounce) else {
                 traced.add_missed::<W, K>(world, throughput, ray.direction());

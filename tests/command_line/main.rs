@@ -285,7 +285,7 @@ fn wrong_arguments_are_named_in_one_line() {
         "--reflections -1 => -1 is not in 0..=255",
         "--reflections many => invalid digit found in string",
         "--shading gouraud => possible values: blinn-phong, phong, normals",
-        "--quality best => possible values: draft, fast, small, exact",
+        "--quality best => possible values: fast, small, exact",
         "--dither rgb888 => possible values: rgb565, gray4, gray2, binary",
         "--out => a value is required for '--out <F.png>'",
         "--json --json => cannot be used multiple times",

@@ -14,14 +14,11 @@ use super::near::{Bar, is_met};
 const SIDE: u32 = 320;
 const REFLECTIONS: u8 = 4;
 
-/// `Draft` guesses.
-const DRAFT: Bar = [0.0, 0.998, 40.0];
 const FAST: Bar = [0.0, 0.999, 46.0];
 /// As good as single precision, or better.
 const EXACT: Bar = [0.998, 0.999, 55.0];
 
-const BARS: [(Quality, Bar); 4] = [
-    (Quality::Draft, DRAFT),
+const BARS: [(Quality, Bar); 3] = [
     (Quality::Fast, FAST),
     (Quality::Small, FAST),
     (Quality::Exact, EXACT),

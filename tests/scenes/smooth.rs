@@ -7,7 +7,7 @@ use embedded_graphics::primitives::Rectangle;
 use embedded_graphics_simulator::SimulatorDisplay;
 use reflet::host::compare::{Difference, compare};
 use reflet::host::reference::{self, Picture, render, sampled};
-use reflet::quality::{self, Draft, Exact, Fast, Seam, Small, Smooth};
+use reflet::quality::{self, Exact, Fast, Seam, Small, Smooth};
 use reflet::scenes::NAMES;
 use reflet::shading::BlinnPhong;
 use reflet::{Camera, Material};
@@ -104,7 +104,6 @@ fn rows_have_the_same_colours_however_they_are_drawn() {
             assert_same_however_drawn::<Smooth<2>>(&source, size);
         }
         assert_same_however_drawn::<Smooth<4, Exact>>(&source, [70, 12]);
-        assert_same_however_drawn::<Smooth<2, Draft>>(&source, [70, 12]);
         assert_same_however_drawn::<Smooth<2, Small>>(&source, [70, 12]);
     }
 }

@@ -57,7 +57,7 @@ fn every_core_draws_the_same_pictures() {
         ("castle", Quality::Fast),
         ("mirror1", Quality::Fast),
         ("columns", Quality::Small),
-        ("primitives", Quality::Draft),
+        ("primitives", Quality::Fast),
         ("shading_lights", Quality::Exact),
     ];
     // A core is emulated while the firmware for the next one is built.
@@ -71,12 +71,7 @@ fn every_core_draws_the_same_pictures() {
 #[test]
 #[ignore = "long: all scenes in all qualities, on every core"]
 fn every_core_draws_every_scene_in_every_quality() {
-    let qualities = [
-        Quality::Draft,
-        Quality::Fast,
-        Quality::Small,
-        Quality::Exact,
-    ];
+    let qualities = [Quality::Fast, Quality::Small, Quality::Exact];
     for core in CORES {
         for name in scenes::NAMES {
             are_the_same_pictures_as_here(core.name, &qualities.map(|quality| (name, quality)));

@@ -1,6 +1,6 @@
 //! Floor 7: the colours between two traced pixels of a block: interpolated, or divided further.
 
-use super::{Colors, End, Marks, UNREAD};
+use super::{Colors, End, Marks, SHORTEST, UNREAD};
 use crate::accel::World;
 use crate::color::{Bend, Parabola};
 use crate::render::Quality;
@@ -27,17 +27,17 @@ impl<W: World, K: Shading, Q: Quality, M: Marks> Colors<'_, '_, W, K, Q, M> {
         }
         let is_alike = start.traced.signature.is_same_as(end.traced.signature);
         let columns = [first, first + length];
-        if let (Known::Part(proved, _), true) = (&mut known, is_alike && length >= Self::SHORTEST) {
+        if let (Known::Part(proved, _), true) = (&mut known, is_alike && length >= SHORTEST) {
             let stops = [start, end].map(|end| &self.stops[end.slot.min(UNREAD)]);
             let between = (&self.window, columns);
-            if !Q::IS_SURE || self.tracer.is_steady(between, stops, proved) {
+            if self.tracer.is_steady(between, stops, proved) {
                 known = Known::Steady(Bend::ZERO, proved.samples);
             }
         }
         match known {
             Known::Part(proved, divisions) => {
                 // Parts of it would be too short to prove anything.
-                if length <= Self::SHORTEST || divisions == DIVISIONS {
+                if length <= SHORTEST || divisions == DIVISIONS {
                     return self.trace_each(first + 1, first + length);
                 }
                 self.divide(columns, ends, (proved, divisions));
@@ -60,13 +60,8 @@ impl<W: World, K: Shading, Q: Quality, M: Marks> Colors<'_, '_, W, K, Q, M> {
         let known = Known::Part(proved, divisions + 1);
         let slot = 2 + divisions;
         let stops = [start, end].map(|end| &self.stops[end.slot.min(UNREAD)]);
-        let border = match Q::IS_SURE {
-            true => self
-                .tracer
-                .border((&self.window, [first, last]), stops, &proved),
-            false => None,
-        };
-        let Some(before) = border else {
+        let between = (&self.window, [first, last]);
+        let Some(before) = self.tracer.border(between, stops, &proved) else {
             let half = (last - first) / 2;
             let middle = self.trace(first + half, slot);
             self.between((first, half), [start, &middle], known);

@@ -30,7 +30,6 @@ impl<const L: bool, const H: bool> CullingQuality for With<L, H> {
 impl<const L: bool, const H: bool> PathQuality for With<L, H> {
     const SMALLEST_WEIGHT: Unit = Unit::DELTA;
     const TOLERANCE: Unit = <Fast as PathQuality>::TOLERANCE;
-    const IS_SURE: bool = true;
 }
 
 /// The quality [`Fast`] with all culling switched off: the plain path. No path is cut short.
@@ -47,7 +46,6 @@ impl CullingQuality for PlainPath {
 impl PathQuality for PlainPath {
     const SMALLEST_WEIGHT: Unit = Unit::DELTA;
     const TOLERANCE: Unit = <Fast as PathQuality>::TOLERANCE;
-    const IS_SURE: bool = true;
 }
 
 /// The quality [`PlainPath`] with its lists of candidates.
@@ -64,7 +62,6 @@ impl CullingQuality for Listed {
 impl PathQuality for Listed {
     const SMALLEST_WEIGHT: Unit = <PlainPath as PathQuality>::SMALLEST_WEIGHT;
     const TOLERANCE: Unit = <PlainPath as PathQuality>::TOLERANCE;
-    const IS_SURE: bool = true;
 }
 
 /// Returns the sum and the signature of the path through each pixel. Camera rays test every shape.

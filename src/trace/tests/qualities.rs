@@ -22,7 +22,6 @@ macro_rules! qualities {
             impl PathQuality for $name {
                 const SMALLEST_WEIGHT: Unit = $smallest;
                 const TOLERANCE: Unit = $tolerance;
-                const IS_SURE: bool = true;
             }
         )*
     };

@@ -3,7 +3,7 @@
 use embedded_graphics::pixelcolor::Rgb888;
 use embedded_graphics::prelude::RgbColor;
 use reflet::__private::Drawable;
-use reflet::quality::{Draft, Exact, Fast, Quality, Small};
+use reflet::quality::{Exact, Fast, Quality, Small};
 use reflet::shading::{BlinnPhong, Normals, Phong, Shading, Unshadowed};
 use reflet::{FrameBuilder, Report, Unit};
 
@@ -20,14 +20,13 @@ impl Wild {
     pub fn draw(&self) -> Option<u64> {
         let built = self.scene.build().ok()?;
         let frame = built.frame(&self.camera).reflections(self.reflections);
-        Some(match self.kind % 8 {
+        Some(match self.kind % 7 {
             0 => self.paint(&built, frame.quality::<Fast>()),
-            1 => self.paint(&built, frame.quality::<Draft>()),
-            2 => self.paint(&built, frame.shading::<Phong>()),
-            3 => self.paint(&built, frame.shading::<Normals>()),
-            4 => self.paint(&built, frame.shading::<Phong>().quality::<Exact>()),
-            5 => self.paint(&built, frame.shading::<BlinnPhong>().quality::<Exact>()),
-            6 => self.paint(&built, frame.quality::<Small>()),
+            1 => self.paint(&built, frame.shading::<Phong>()),
+            2 => self.paint(&built, frame.shading::<Normals>()),
+            3 => self.paint(&built, frame.shading::<Phong>().quality::<Exact>()),
+            4 => self.paint(&built, frame.shading::<BlinnPhong>().quality::<Exact>()),
+            5 => self.paint(&built, frame.quality::<Small>()),
             _ => self.paint(&built, frame.shading::<Unshadowed<BlinnPhong>>()),
         })
     }

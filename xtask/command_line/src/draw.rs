@@ -5,7 +5,7 @@ use embedded_graphics::geometry::Size;
 use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
 use reflet::host::file::FileScene;
 use reflet::host::reference::Picture;
-use reflet::quality::{self, Draft, Exact, Fast, Small, Smooth};
+use reflet::quality::{self, Exact, Fast, Small, Smooth};
 use reflet::shading::{self, BlinnPhong, Normals, Phong};
 use reflet::{Camera, Report};
 
@@ -73,7 +73,6 @@ impl Source {
 impl Draw<'_> {
     fn with_quality(self, row: &mut dyn FnMut(u32, &[Rgb888])) -> Report {
         match self.settings.quality {
-            Quality::Draft => self.with_shading::<Draft>(row),
             Quality::Fast => self.with_shading::<Fast>(row),
             Quality::Small => self.with_shading::<Small>(row),
             Quality::Exact => self.with_shading::<Exact>(row),

@@ -59,7 +59,6 @@ impl From<Shading> for reference::Shading {
 /// A quality of the library as a value.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, ValueEnum)]
 pub enum Quality {
-    Draft,
     Fast,
     Small,
     Exact,
@@ -73,7 +72,6 @@ impl Quality {
     /// Returns the name of the quality on the command line.
     pub fn name(self) -> &'static str {
         match self {
-            Self::Draft => "draft",
             Self::Fast => "fast",
             Self::Small => "small",
             Self::Exact => "exact",

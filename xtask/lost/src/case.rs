@@ -154,6 +154,28 @@ fn lost(truth: &Picture, right: &Picture, tested: &Picture) -> Vec<bool> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::families::Family;
+
+    /// Takes a pixel for the seven after it if the next of these eight is alike.
+    fn guessed(mut picture: Picture) -> Picture {
+        for row in picture.pixels.chunks_mut(picture.width as usize) {
+            for first in (0..row.len() - 8).step_by(8) {
+                if difference(row[first], row[first + 8]) <= VISIBLE {
+                    (first + 1..first + 8).for_each(|at| row[at] = row[first]);
+                }
+            }
+        }
+        picture
+    }
+
+    #[test]
+    fn what_a_guess_loses_is_counted() {
+        let (case, size) = (Family::Fences.case(1, 0), Size::new(96, 72));
+        let source = case.source().unwrap();
+        let exact = source.drawn(size, case.settings(Quality::Exact));
+        let is_lost = lost(&case.truth(size), &exact, &guessed(exact.clone()));
+        assert!(is_lost.iter().filter(|it| **it).count() > 60);
+    }
 
     #[test]
     fn pixel_is_lost_only_if_one_is_within_1_and_the_other_off_by_more_than_8() {

@@ -32,7 +32,6 @@ pub enum Quality {
 }
 
 impl Quality {
-    pub const DRAFT: Self = Self::Fixed(Fixed::Draft);
     pub const FAST: Self = Self::Fixed(Fixed::Fast);
     pub const SMALL: Self = Self::Fixed(Fixed::Small);
     pub const EXACT: Self = Self::Fixed(Fixed::Exact);
@@ -48,7 +47,6 @@ impl Quality {
 impl ValueEnum for Quality {
     fn value_variants<'a>() -> &'a [Self] {
         &[
-            Self::DRAFT,
             Self::FAST,
             Self::SMALL,
             Self::EXACT,
