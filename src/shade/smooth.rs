@@ -74,6 +74,18 @@ pub(super) fn samples([one, other]: [Vector; 2], bend: i32, shininess: Exponent)
     }
 }
 
+/// Tests whether a highlight may begin or end between two points, from its deviations there in Q4.28. Between them, the
+/// deviation is at most `bend` off the line. It begins where the deviation is √2, at a right angle. A power below 2 has a
+/// step or a kink there.
+pub(super) fn may_begin([one, other]: [Vector; 2], bend: i32, shininess: Exponent) -> bool {
+    /// √2 in Q4.28, and what both bounds may be off.
+    const RIGHT_ANGLE: i32 = 379_625_062;
+    const OFF: i32 = 1 << 12;
+    let farthest = square_root(one.square().max(other.square())) + bend + OFF;
+    let nearest = nearest(one, other, other.minus(one)) - bend - OFF;
+    shininess.next_integer() <= 2 && nearest <= RIGHT_ANGLE && RIGHT_ANGLE <= farthest
+}
+
 /// Tests whether three pixels show how a highlight changes, if the vectors that it depends on change by at most
 /// `change`, in Q4.28.
 pub(crate) fn is_little(change: i32, shininess: Exponent) -> bool {

@@ -183,6 +183,10 @@ impl Shown<'_> {
     /// vector is the sum of both directions over its length, which is at least the sum of their cosines to
     /// the normal.
     fn is_surely_smooth<K: Shading>(&self, rays: &Rays) -> bool {
+        // With the mirrored direction, a low power begins with a step or a kink.
+        if K::TURNS > 0 && self.material.shininess.next_integer() <= 2 {
+            return false;
+        }
         let Some((middle, radius)) = self.ball else {
             return false;
         };

@@ -148,9 +148,9 @@ fn packages_of_first_command() -> Result<usize> {
 mod tests {
     use super::*;
 
-    const MOST_CODE: usize = 19_697;
+    const MOST_CODE: usize = 19_709;
 
-    const MOST_OUTSIDE: usize = 37_081;
+    const MOST_OUTSIDE: usize = 37_079;
 
     /// Most packages that a newcomer's first command compiles.
     const MOST_PACKAGES: usize = 62;

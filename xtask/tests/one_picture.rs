@@ -57,7 +57,6 @@ fn every_core_draws_the_same_pictures() {
         ("castle", Quality::Fast),
         ("mirror1", Quality::Fast),
         ("columns", Quality::Small),
-        ("primitives", Quality::Fast),
         ("shading_lights", Quality::Exact),
     ];
     // A core is emulated while the firmware for the next one is built.

@@ -93,9 +93,7 @@ impl<W: World, K: Shading, Q: Quality, M: Marks> Colors<'_, '_, W, K, Q, M> {
         let is_smooth = is_alike && samples == Samples::Three;
         if length == 2 {
             // The second difference is at most four times the tolerance, or the two differ by at most three times.
-            let change = || end.traced.sum.less(start.traced.sum);
-            let is_flat =
-                expected.is_within(4 * Self::TOLERANCE) || change().is_within(3 * Self::TOLERANCE);
+            let is_flat = expected.is_within(4 * Self::TOLERANCE);
             let (sum, path) = match is_smooth && is_flat {
                 true => (
                     start.traced.sum.half_way(end.traced.sum, expected),

@@ -47,12 +47,12 @@ struct Arguments {
 
     /// Number of random scenes, over all families together
     #[arg(
-        long = "scenes",
+        long,
         value_name = "N",
         default_value_t = 300,
         conflicts_with = "named"
     )]
-    count: usize,
+    scenes: usize,
 
     /// Seed of the random scenes
     #[arg(long, value_name = "N", default_value_t = 1, conflicts_with = "named")]
@@ -121,7 +121,7 @@ fn cases(arguments: &Arguments) -> Result<Vec<(Option<Family>, Case)>, Failure> 
             some => some,
         };
         let random = |index| scene_of_run(families, arguments.seed, index);
-        let random = (0..arguments.count).map(random);
+        let random = (0..arguments.scenes).map(random);
         return Ok(random.map(|(family, case)| (Some(family), case)).collect());
     }
     let open = |path: &PathBuf| {

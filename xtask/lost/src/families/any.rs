@@ -119,7 +119,7 @@ fn light(random: &mut Random, place: &Place, fades: bool) -> Light {
         position: place.at(random.cube() * away).0,
         color,
         sun: None,
-        range: fades.then_some(range),
+        range: fades.then_some(range.clamp(1e-9, 1e9)), // above 0, at most 2^30
     }
 }
 
