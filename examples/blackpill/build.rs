@@ -2,7 +2,7 @@
 //! the linker would make an empty firmware, without any message.
 
 fn main() {
-    // A copy: a path into this folder would be wrong for the next folder that shares the target folder.
+    // The linker reads a copy of the memory map: a path to this folder would be wrong in a copy of the example.
     let folder = std::env::var("OUT_DIR").expect("cargo sets it");
     std::fs::copy("memory.x", format!("{folder}/memory.x")).expect("it is there");
     println!("cargo::rustc-link-search={folder}");

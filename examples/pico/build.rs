@@ -9,7 +9,7 @@ fn main() {
     };
     println!("cargo::rustc-check-cfg=cfg(rp2040, rp2350)");
     println!("cargo::rustc-cfg={chip}");
-    // A copy: a path into this folder would be wrong for the next folder that shares the target folder.
+    // The linker reads a copy of the memory map: a path to this folder would be wrong in a copy of the example.
     let folder = variable("OUT_DIR");
     std::fs::copy(format!("{chip}/memory.x"), format!("{folder}/memory.x")).expect("it is there");
     println!("cargo::rustc-link-search={folder}");

@@ -5,7 +5,7 @@ fn main() {
     let variable = |name: &str| std::env::var(name).expect("cargo sets it");
     let is_riscv = variable("CARGO_CFG_TARGET_ARCH") == "riscv32";
     let board = if is_riscv { "riscv" } else { "microbit" };
-    // A copy: a path into this folder would be wrong for the next folder that shares the target folder.
+    // The linker reads a copy of the memory map: a path to this folder would be wrong in a copy of the example.
     let folder = variable("OUT_DIR");
     std::fs::copy(format!("{board}/memory.x"), format!("{folder}/memory.x")).expect("it is there");
     println!("cargo::rustc-link-search={folder}");

@@ -2,7 +2,7 @@
 
 use core::marker::PhantomData;
 
-use super::smooth::{Glance, Samples, may_begin, quarter, samples};
+use super::smooth::{Glance, Samples, begins_sharply, may_begin, quarter, samples};
 use super::{LightQuality, Lit, Visibility, lit_color};
 use crate::background::Beyond;
 use crate::color::{Color, halved};
@@ -120,7 +120,7 @@ impl<H: Highlight> sealed::Shading for H {
 
     fn samples(ends: &[Glance; 2], bend: i32, shininess: Exponent) -> Samples {
         let ends = ends.each_ref().map(H::deviation);
-        match H::TURNS > 0 && may_begin(ends, bend, shininess) {
+        match begins_sharply::<H>(shininess) && may_begin(ends, bend) {
             true => Samples::All,
             false => samples(ends, bend, shininess),
         }

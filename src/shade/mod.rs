@@ -4,7 +4,7 @@
 pub(crate) mod highlight;
 mod smooth;
 
-pub(crate) use smooth::{Glance, Samples, is_little};
+pub(crate) use smooth::{Glance, Samples, begins_sharply, is_little};
 
 pub use highlight::{BlinnPhong, Normals, Phong, Shading, Unshadowed};
 

@@ -4,6 +4,7 @@
 //! vector of length δ changes along a line, almost. The highlight is smooth if that change is small
 //! against 1 / √s. It is dark if the line stays away from zero.
 
+use super::highlight::sealed::Shading;
 use crate::number::{
     Exponent, narrowed_unsigned, ratio, square_root, unsigned_wide, wide, wide_unsigned,
 };
@@ -74,16 +75,21 @@ pub(super) fn samples([one, other]: [Vector; 2], bend: i32, shininess: Exponent)
     }
 }
 
+/// Tests whether a highlight has a step or a kink where it begins. A power below 2 of the cosine to the mirrored light
+/// has; the cosine to the half-way vector is above 0 wherever light and viewer see the surface.
+pub(crate) fn begins_sharply<K: Shading>(shininess: Exponent) -> bool {
+    K::TURNS > 0 && shininess.next_integer() <= 2
+}
+
 /// Tests whether a highlight may begin or end between two points, from its deviations there in Q4.28. Between them, the
-/// deviation is at most `bend` off the line. It begins where the deviation is √2, at a right angle. A power below 2 has a
-/// step or a kink there.
-pub(super) fn may_begin([one, other]: [Vector; 2], bend: i32, shininess: Exponent) -> bool {
+/// deviation is at most `bend` off the line. It begins where the deviation is √2, at a right angle.
+pub(super) fn may_begin([one, other]: [Vector; 2], bend: i32) -> bool {
     /// √2 in Q4.28, and what both bounds may be off.
     const RIGHT_ANGLE: i32 = 379_625_062;
     const OFF: i32 = 1 << 12;
     let farthest = square_root(one.square().max(other.square())) + bend + OFF;
     let nearest = nearest(one, other, other.minus(one)) - bend - OFF;
-    shininess.next_integer() <= 2 && nearest <= RIGHT_ANGLE && RIGHT_ANGLE <= farthest
+    nearest <= RIGHT_ANGLE && RIGHT_ANGLE <= farthest
 }
 
 /// Tests whether three pixels show how a highlight changes, if the vectors that it depends on change by at most

@@ -12,7 +12,7 @@ use crate::number::{
 };
 use crate::ray::ScaledPoint;
 use crate::shade::highlight::sealed::Shading;
-use crate::shade::{Glance, Samples, is_little};
+use crate::shade::{Glance, Samples, begins_sharply, is_little};
 use crate::shape::bordered::{Ball, Rays};
 use crate::vector::{Direction, Point};
 
@@ -183,8 +183,7 @@ impl Shown<'_> {
     /// vector is the sum of both directions over its length, which is at least the sum of their cosines to
     /// the normal.
     fn is_surely_smooth<K: Shading>(&self, rays: &Rays) -> bool {
-        // With the mirrored direction, a low power begins with a step or a kink.
-        if K::TURNS > 0 && self.material.shininess.next_integer() <= 2 {
+        if begins_sharply::<K>(self.material.shininess) {
             return false;
         }
         let Some((middle, radius)) = self.ball else {

@@ -169,7 +169,7 @@ impl Wrong {
         Self::stopped(items, &format!("{part}: {}", kind.message()))
     }
 
-    /// Creates a program that must not compile, with these words as the message.
+    /// Creates a program that must not compile. The compiler's message has these words.
     fn stopped(items: String, words: &str) -> Self {
         Self {
             items,

@@ -52,16 +52,16 @@ fn are_the_same_pictures_as_here(core: &str, pictures: &[(&'static str, Quality)
 /// of an M3 are the kept ones, which xtask/tests/measure draws again.
 #[test]
 fn every_core_draws_the_same_pictures() {
-    let cores = ["m0", "rv32"];
     let pictures = [
         ("castle", Quality::Fast),
         ("mirror1", Quality::Fast),
         ("columns", Quality::Small),
+        ("primitives", Quality::Fast),
         ("shading_lights", Quality::Exact),
     ];
     // A core is emulated while the firmware for the next one is built.
     thread::scope(|scope| {
-        for core in cores {
+        for core in ["m0", "rv32"] {
             scope.spawn(|| are_the_same_pictures_as_here(core, &pictures));
         }
     });

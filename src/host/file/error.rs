@@ -236,7 +236,7 @@ impl Problem {
     }
 }
 
-/// Rounds a positive, finite number to four digits.
+/// Rounds a positive, finite number to four significant digits.
 fn rounded(number: f64) -> f64 {
     // Formatting with a precision would link tables of `core` that nothing else reads.
     let (mut unit, mut parts) = (1.0, 1.0);

@@ -93,7 +93,8 @@ pub(crate) struct Line {
     chunk: u16,
     /// Whether all corners are known to have one colour, because no path hits anything.
     pub(super) is_flat: bool,
-    /// Whether the paths through all corners in the picture are known to hit the same shapes, lit by the same lights.
+    /// Whether the paths through all corners, but those beyond the picture, are known to hit the same shapes, lit by the
+    /// same lights.
     pub(super) is_one: bool,
 }
 
