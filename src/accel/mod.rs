@@ -26,6 +26,7 @@ mod screen_rect;
 pub(crate) mod shadows;
 mod static_scene;
 pub(crate) mod stretch;
+pub(crate) mod thin;
 mod within;
 
 pub(crate) use active_list::Window;

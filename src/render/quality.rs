@@ -64,7 +64,7 @@ pub trait Quality {
 }
 
 /// A quality with smooth edges: each pixel is the mean of what its area shows, as far as the corners of pixels tell. `K` is 2
-/// or 4. With 4, edges are found more finely, and twice as many corners tell of shapes that are thinner than a pixel.
+/// or 4. With 4, edges are found more finely, and where a row shows shapes thinner than four pixels, twice as many corners tell of them.
 ///
 /// Each colour is clamped to 0 to 1, then the mean is taken, then it is rounded. `Q` says how exact a colour is. It needs no
 /// frame buffer. Rows that are asked for one by one take a [`Seam`](crate::quality::Seam) along, or about twice the time.

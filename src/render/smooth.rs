@@ -8,8 +8,8 @@
 //! of the pixel are traced instead, its samples. The higher the contrast, the finer the bisection, and the more samples.
 //!
 //! So a picture takes one line of corners for each row of pixels, and one more; a line is computed as any other row. With
-//! `Smooth<4>` a row of pixels takes two lines, and is the mean of the parts between them. An edge that crosses a side of
-//! two pixels is found once for both. A row leaves its last line to the row below ([`Seam`]).
+//! `Smooth<4>` a row that shows thin shapes takes two lines, and is the mean of the parts between them. An
+//! edge that crosses a side of two pixels is found once for both. A row leaves its last line to the row below ([`Seam`]).
 //!
 //! Pixels are computed by chunks of columns at fixed places, so a part of a row has the colours that it has in the whole
 //! row.
@@ -24,6 +24,7 @@ use super::interpolate::Colors;
 use super::{Quality, Report, Rows};
 use crate::accel::drawable::Drawable;
 use crate::accel::shadows::RowShadows;
+use crate::accel::thin::shows_thin;
 use crate::accel::{LONGEST_BLOCK, World};
 use crate::camera::RayGenerator;
 use crate::color::{Levels, Sum};
@@ -102,14 +103,15 @@ impl<W: World, K: sealed::Shading, Q: Quality> SmoothColors<'_, '_, W, K, Q> {
         let Some(upper) = seam.get_mut(chunk.min(last)) else {
             return;
         };
-        let line = walker.first_line();
-        if !upper.is_of(line, first) {
-            walker.walk(line, first, upper);
+        let above = 2 * walker.y;
+        if !upper.is_of(above, first) {
+            walker.walk(above, first, upper);
         }
-        for line in line..line + Walker::<W, K, Q>::LINES {
-            walker.walk(line + 1, first, lower);
+        for part in 1..=walker.parts() {
+            let line = above + part * walker.step();
+            walker.walk(line, first, lower);
             let mut chunk = Chunk::new([first, count], [upper, lower]);
-            if Walker::<W, K, Q>::LINES == 1 || line == walker.first_line() {
+            if part == 1 {
                 chunk.paint(walker, colors);
             } else {
                 let mut painted = [Levels::DARK; CHUNK as usize];
@@ -119,7 +121,7 @@ impl<W: World, K: sealed::Shading, Q: Quality> SmoothColors<'_, '_, W, K, Q> {
                 }
             }
             match upper.is_flat_with(lower) {
-                true => upper.descend(),
+                true => upper.descend(walker.step()),
                 false => upper.copy(lower),
             }
         }
@@ -155,15 +157,21 @@ impl<'a, S: Drawable, Q: Quality, K: Shading> Rows<'a, S, Q, K> {
         let directions = generator.row_below(y, 0);
         let mut shadows = RowShadows::NONE;
         let mut tracer = self.tracer((generator, &directions), y, &mut shadows);
+        let eye = tracer.visibility.from.point;
+        // From a far camera, shapes are small.
+        let is_divided = Walker::<S::World<'a>, K, Q>::MAY_DIVIDE
+            && (!tracer.is_near()
+                || shows_thin(tracer.world, &generator.row_plane_below((y, 0), eye)));
         let width = self.sides()[0];
         let first = x & !(CHUNK - 1);
         let mut colors = SmoothColors {
             walker: Walker {
                 row: Colors::new(&mut tracer, directions, first, width + 1),
-                line: y * Walker::<S::World<'a>, K, Q>::LINES,
+                line: 2 * y,
                 generator,
                 y,
                 width,
+                is_divided,
             },
             seam,
             lower: Line::NONE,

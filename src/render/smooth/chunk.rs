@@ -69,7 +69,7 @@ impl<'c> Chunk<'c> {
         for (place, ((upper, lower), side)) in (0..).zip(corners.zip(&mut self.uprights)) {
             if upper.path != lower.path {
                 let start = [self.first + place, self.upper.line()];
-                *side = walker.divided(start, Walker::<W, K, Q>::DOWN, [upper, lower]);
+                *side = walker.divided(start, walker.down(), [upper, lower]);
                 // The pixel to the left of the side, and the one to the right.
                 crossed |= low_word(3 << place >> 1);
             }
@@ -143,7 +143,7 @@ impl<'c> Chunk<'c> {
             }
             let places = match is_whole && told == 0 {
                 true => CENTER,
-                false => enough(contrast, Walker::<W, K, Q>::TOLERANCE),
+                false => enough(contrast, walker.tolerance()),
             };
             let mut mixture = cell.all();
             for at in places {

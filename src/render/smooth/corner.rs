@@ -2,7 +2,6 @@
 
 use super::CHUNK;
 use crate::color::Levels;
-use crate::number::to_u16;
 use crate::ray::PathMark;
 use crate::trace::Traced;
 
@@ -82,52 +81,71 @@ impl Side {
 /// The corners on one line of a chunk: those of its pixels, and the first one of the next chunk.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Line {
-    /// The line, counted from the top, and one more: so all zeros are a line that is not known.
-    line: u32,
     pub(super) corners: [Corner; CHUNK as usize + 1],
     /// The side from each corner to the next one.
     pub(super) sides: [Side; CHUNK as usize],
     /// A bit for each side that an edge crosses.
     pub(super) crossed: u32,
-    /// The chunk, counted from the left.
-    chunk: u16,
-    /// Whether all corners are known to have one colour, because no path hits anything.
-    pub(super) is_flat: bool,
-    /// Whether the paths through all corners, but those beyond the picture, are known to hit the same shapes, lit by the
-    /// same lights.
-    pub(super) is_one: bool,
+    /// From the highest bit: the line, counted from the top, and one more in 18 bits, so that all zeros are a line that is not
+    /// known; the chunk, counted from the left, in 12 bits; [`Line::FLAT`] and [`Line::ONE`].
+    place: u32,
 }
 
 impl Line {
     /// A line that is not known. It is all zeros, so it needs no constant in flash.
     pub(super) const NONE: Self = Self {
-        line: 0,
         corners: [Corner::NONE; CHUNK as usize + 1],
         sides: [Side::WHOLE; CHUNK as usize],
         crossed: 0,
-        chunk: 0,
-        is_flat: false,
-        is_one: false,
+        place: 0,
     };
+
+    /// Set if all corners are known to have one colour, because no path hits anything.
+    const FLAT: u32 = 2;
+
+    /// Set if the paths through all corners, but those beyond the picture, are known to hit the same shapes, lit by the same
+    /// lights.
+    const ONE: u32 = 1;
+
+    /// Returns what `place` holds of a line of the chunk that begins at column `first`, without flags.
+    fn place_of(line: u32, first: u32) -> u32 {
+        ((line + 1) << 14) | (first / CHUNK) << 2
+    }
 
     /// Tests whether this is a line of the chunk that begins at column `first`.
     pub(super) fn is_of(&self, line: u32, first: u32) -> bool {
-        self.line == line + 1 && u32::from(self.chunk) * CHUNK == first
+        self.place & !(Self::FLAT | Self::ONE) == Self::place_of(line, first)
     }
 
     /// Returns the line, counted from the top.
     pub(super) fn line(&self) -> u32 {
-        self.line.saturating_sub(1)
+        (self.place >> 14).saturating_sub(1)
+    }
+
+    /// Tests whether all corners are known to have one colour.
+    fn is_flat(&self) -> bool {
+        self.place & Self::FLAT != 0
+    }
+
+    /// Gives all corners the colour of a path that hits nothing.
+    pub(super) fn flatten(&mut self, all: Corner) {
+        self.corners = [all; CHUNK as usize + 1];
+        self.place |= Self::FLAT | Self::ONE;
+    }
+
+    /// Notes that the paths through all corners hit the same shapes, lit by the same lights.
+    pub(super) fn unite(&mut self) {
+        self.place |= Self::ONE;
     }
 
     /// Tests whether all corners of this line and of another one are known to be the same.
     pub(super) fn is_flat_with(&self, other: &Self) -> bool {
-        self.is_flat && other.is_flat && self.corners[0] == other.corners[0]
+        self.is_flat() && other.is_flat() && self.corners[0] == other.corners[0]
     }
 
     /// Tests whether the paths through all corners of two lines are known to hit the same shapes, lit by the same lights.
     pub(super) fn is_one_with(&self, other: &Self) -> bool {
-        self.is_one && other.is_one && self.corners[0].path == other.corners[0].path
+        self.place & other.place & Self::ONE != 0 && self.corners[0].path == other.corners[0].path
     }
 
     /// Makes it the same as another line. Inlined, it would link a copy for parts of memory that overlap.
@@ -136,23 +154,22 @@ impl Line {
         *self = *other;
     }
 
-    /// Makes it the next line of the chunk, which has the same corners.
-    pub(super) fn descend(&mut self) {
-        self.line += 1;
+    /// Makes it a line further down, which has the same corners.
+    pub(super) fn descend(&mut self, lines: u32) {
+        self.place += lines << 14;
     }
 
     /// Makes it a line of the chunk that begins at column `first`, whose sides no edge crosses.
     pub(super) fn begin(&mut self, line: u32, first: u32) {
-        (self.line, self.chunk) = (line + 1, to_u16(first / CHUNK));
+        self.place = Self::place_of(line, first);
         self.sides = [Side::WHOLE; CHUNK as usize];
         self.crossed = 0;
-        (self.is_flat, self.is_one) = (false, false);
     }
 }
 
 /// What a row with smooth edges leaves to the row below it: the corners of pixels on the line between the two.
 ///
-/// `N` is the number of columns of the picture over 32, rounded up: 8 for 240 columns. It takes 308 bytes each. Columns
+/// `N` is the number of columns of the picture over 32, rounded up: 8 for 240 columns. It takes 304 bytes each. Columns
 /// beyond trace the line above again, and so does a row that does not follow the one above. Use it for the rows of one
 /// picture only.
 ///

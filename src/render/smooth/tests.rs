@@ -114,7 +114,7 @@ fn line_is_known_for_its_own_chunk_only() {
     line.begin(3, 32);
     assert!(line.is_of(3, 32) && !line.is_of(3, 0) && !line.is_of(4, 32));
     // As the pages say.
-    assert_eq!(size_of::<Line>(), 308);
+    assert_eq!(size_of::<Line>(), 304);
 }
 
 /// The more a pixel's contrast, the more samples.

@@ -22,30 +22,38 @@ pub(super) struct Walker<'s, 'a, W: World, K, Q> {
     pub(super) y: u32,
     /// Number of columns of the picture.
     pub(super) width: u32,
+    /// Whether a line of corners divides the row of pixels into two parts.
+    pub(super) is_divided: bool,
 }
 
 impl<W: World, K: Shading, Q: Quality> Walker<'_, '_, W, K, Q> {
-    /// Largest contrast that an edge may be off by, and that a sample may stand for, in 8-bit levels.
-    pub(super) const TOLERANCE: u32 = match Q::SMOOTHNESS {
-        2 => 24,
-        _ => 12,
-    };
+    /// Whether a row of pixels may have two parts.
+    pub(super) const MAY_DIVIDE: bool = Q::SMOOTHNESS == 4;
 
-    /// Number of lines of corners for each row of pixels.
-    pub(super) const LINES: u32 = if Q::SMOOTHNESS == 4 { 2 } else { 1 };
-
-    /// Returns the line above the row of pixels.
-    pub(super) fn first_line(&self) -> u32 {
-        self.y * Self::LINES
+    /// Returns into how many parts lines of corners divide the row of pixels.
+    pub(super) fn parts(&self) -> u32 {
+        1 + u32::from(Self::MAY_DIVIDE && self.is_divided)
     }
 
-    /// Returns the row of pixels that a line lies in, and how far below its upper edges, in 64ths of a pixel.
+    /// Returns the largest contrast that an edge may be off by, and that a sample may stand for, in 8-bit levels. Half of a row
+    /// counts half.
+    pub(super) fn tolerance(&self) -> u32 {
+        match Q::SMOOTHNESS {
+            2 => 24,
+            _ if self.parts() == 1 => 8,
+            _ => 12,
+        }
+    }
+
+    /// Returns the row of pixels that a line lies in, and how far below its upper edges, in 64ths of a pixel. Lines are numbered
+    /// from the top, two for each row.
     fn place(line: u32) -> (u32, i32) {
-        let below = line % Self::LINES;
-        (
-            line / Self::LINES,
-            signed(below) * (PIXEL / signed(Self::LINES)),
-        )
+        (line / 2, signed(line % 2) * (PIXEL / 2))
+    }
+
+    /// Number of a line less that of the one above it.
+    pub(super) fn step(&self) -> u32 {
+        2 / self.parts()
     }
 
     /// Makes `found` the corners on one line of the chunk that begins at column `first`.
@@ -58,9 +66,7 @@ impl<W: World, K: Shading, Q: Quality> Walker<'_, '_, W, K, Q> {
         found.begin(line, first);
         let last = (first + CHUNK).min(self.width);
         if let Some(all) = self.row.missed_until(first, last).map(Corner::of) {
-            found.corners = [all; CHUNK as usize + 1];
-            (found.is_flat, found.is_one) = (true, true);
-            return;
+            return found.flatten(all);
         }
         let [walked @ .., after] = &mut found.corners;
         let count = CHUNK.min(self.width + 1 - first);
@@ -84,9 +90,8 @@ impl<W: World, K: Shading, Q: Quality> Walker<'_, '_, W, K, Q> {
         // Beyond the picture no edge crosses a side.
         let beyond = walked.get_mut(count as usize..).unwrap_or_default();
         beyond.fill(Corner::NONE);
-        found.is_one = is_one;
         if is_one {
-            return;
+            return found.unite();
         }
         let pairs = found.corners.iter().zip(found.corners.iter().skip(1));
         let columns = first..self.width;
@@ -101,8 +106,10 @@ impl<W: World, K: Shading, Q: Quality> Walker<'_, '_, W, K, Q> {
     /// A step along a side to the right, in 64ths of a pixel.
     const ACROSS: Place = [PIXEL / Side::LENGTH, 0];
 
-    /// A step along a side to the next line.
-    pub(super) const DOWN: Place = [0, PIXEL / Side::LENGTH / signed(Self::LINES)];
+    /// Returns a step along a side to the next line.
+    pub(super) fn down(&self) -> Place {
+        [0, PIXEL / Side::LENGTH / signed(self.parts())]
+    }
 
     /// Finds where an edge crosses the side between two corners that meet something else. It begins at the corner in a
     /// column of a line, and goes on by this step.
@@ -111,7 +118,7 @@ impl<W: World, K: Shading, Q: Quality> Walker<'_, '_, W, K, Q> {
         let mut contrast = ends[0].contrast(ends[1]);
         let mut step = Side::LENGTH / 2;
         let mut at = step;
-        while contrast > Self::TOLERANCE && step > 1 {
+        while contrast > self.tolerance() && step > 1 {
             contrast /= 2;
             step /= 2;
             let path = self.point(start, along.map(|part| part * at)).path;
@@ -126,7 +133,7 @@ impl<W: World, K: Shading, Q: Quality> Walker<'_, '_, W, K, Q> {
 
     /// Traces a sample of the pixel, or of the part of one between two lines, below the corner in a column of a line.
     pub(super) fn sample(&mut self, start: [u32; 2], [right, down]: Place) -> Corner {
-        self.point(start, [right, down / signed(Self::LINES)])
+        self.point(start, [right, down / signed(self.parts())])
     }
 
     /// Traces the path through the point at a place from the corner in a column of a line.
