@@ -1,7 +1,7 @@
-//! Whether a row shows thin bounded shapes. The corners of pixels tell little of them: edges pass between corners, and
-//! a corner on a thin rod does not show how bright the rod is beside it.
+//! Whether a row shows thin bounded shapes. Edges of such a shape pass between the corners of pixels, and a corner on it does
+//! not show how bright it is beside the corner.
 //!
-//! It is no bound: a shape counts as being as far away as its centre, and mirrored shapes do not count.
+//! It is no bound: a shape counts as far away as its centre, and mirrored ones do not count.
 
 use super::World;
 use crate::number::{shifted, wide};
@@ -10,8 +10,7 @@ use crate::shape::bounded::Bounded;
 
 macro_rules! shows_thin {
     ($header:tt $({ $list:ident $($more:tt)* })*) => {
-        /// Tests whether a row shows a bounded shape that looks thinner than [`THIN`]. `row` are the rays along its upper
-        /// edge.
+        /// Tests whether a row shows a thin shape. `row` are the rays along its upper edge.
         #[inline(never)]
         pub(crate) fn shows_thin<W: World>(world: &W, row: &RowPlane) -> bool {
             let parts = world.parts();

@@ -1,18 +1,17 @@
 //! Floor 7: rows with smooth edges.
 //!
-//! The colour of a pixel is computed from paths through its four corners. If all four hit the same shapes, lit by the same
-//! lights, the pixel has the mean of their colours. If not, an edge crosses the pixel. On each side whose two ends differ,
-//! bisection finds the point where the edge crosses it. These points divide the pixel into an area for each corner, and
-//! each corner's colour has that area as its weight (Lorensen, Cline, "Marching Cubes", Computer Graphics 21(4), 1987, in
-//! two dimensions). Where more than one edge crosses a side, or where a colour changes steeply, paths through points inside
-//! of the pixel are traced instead, its samples. The higher the contrast, the finer the bisection, and the more samples.
+//! A pixel is known by the paths through its four corners. If all hit the same shapes, lit by the same lights, it has the
+//! mean of their colours. If not, an edge crosses the pixel. On each side whose two ends differ, bisection finds the point
+//! where the edge crosses it. These points bound an area for each corner, the weight of its colour (Lorensen, Cline,
+//! "Marching Cubes", Computer Graphics 21(4), 1987, in two dimensions). Where more than one edge crosses a side, or where a
+//! colour changes steeply, samples inside of the pixel are traced instead. The higher the contrast, the finer the bisection,
+//! and the more samples.
 //!
 //! So a picture takes one line of corners for each row of pixels, and one more; a line is computed as any other row. With
-//! `Smooth<4>` a row that shows thin shapes takes two lines, and is the mean of the parts between them. An
-//! edge that crosses a side of two pixels is found once for both. A row leaves its last line to the row below ([`Seam`]).
+//! `Smooth<4>` a row that shows thin shapes takes two lines, and is the mean of the parts between them. A row leaves its
+//! last line to the row below ([`Seam`]).
 //!
-//! Pixels are computed by chunks of columns at fixed places, so a part of a row has the colours that it has in the whole
-//! row.
+//! Chunks of columns lie at fixed places, so a part of a row has the colours that it has in the whole row.
 
 mod cell;
 mod chunk;
