@@ -1,7 +1,7 @@
-//! Whether a row shows thin bounded shapes. Edges of such a shape pass between the corners of pixels, and a corner on it does
-//! not show how bright it is beside the corner.
+//! Whether a row shows thin bounded shapes. Such a shape may lie between the corners of pixels, and its brightness changes
+//! from one corner to the next.
 //!
-//! It is no bound: a shape counts as far away as its centre, and mirrored ones do not count.
+//! It is an estimate: a shape counts as far away as its centre, and mirrored shapes do not count.
 
 use super::World;
 use crate::number::{shifted, wide};
@@ -29,7 +29,7 @@ fn is_thin<K: Bounded>(shape: &K, row: &RowPlane) -> bool {
     let axis = &row.axis;
     let way = axis.origin.to(center);
     let depth = i64::from(way.dot(axis.ahead));
-    // A pixel at this depth, times `distance`.
+    // The length of a pixel at the shape's depth, times `distance`.
     let pixel = 2 * shifted(depth, (-axis.scale).min(28));
     let is_below = |length: i32, pixels: i64| wide(length, axis.distance) < pixels * pixel;
     let (thickness, reach) = match K::IS_FLAT {

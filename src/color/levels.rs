@@ -9,7 +9,7 @@ use crate::number::{narrowed, signed, to_u16, unsigned, wide};
 pub struct Levels([u16; 3]);
 
 impl Levels {
-    /// All zeros, for what is not computed yet. No colour has this value: black is half a level, which is added to each.
+    /// All zeros, for what is not computed yet. No colour has this value: even black is stored as half a level.
     pub const DARK: Self = Self([0; 3]);
 
     /// Clamps a sum, and rounds it down.

@@ -11,7 +11,7 @@
 //! `Smooth<4>` a row that shows thin shapes takes two lines, and is the mean of the parts between them. A row leaves its
 //! last line to the row below ([`Seam`]).
 //!
-//! Chunks of columns lie at fixed places, so a part of a row has the colours that it has in the whole row.
+//! A row is computed in chunks of columns at fixed places, so a part of it has the colours that it has in the whole row.
 
 mod cell;
 mod chunk;

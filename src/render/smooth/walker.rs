@@ -35,8 +35,8 @@ impl<W: World, K: Shading, Q: Quality> Walker<'_, '_, W, K, Q> {
         1 + u32::from(Self::MAY_DIVIDE && self.is_divided)
     }
 
-    /// Returns the largest contrast that an edge may be off by, and that a sample may stand for, in 8-bit levels. Half of a row
-    /// counts half.
+    /// Returns the largest contrast that an edge may be off by, and that a sample may stand for, in 8-bit levels. It is larger
+    /// in a row of two parts, each of which counts half.
     pub(super) fn tolerance(&self) -> u32 {
         match Q::SMOOTHNESS {
             2 => 24,
