@@ -21,24 +21,16 @@ mod watch;
 #[cfg(feature = "window")]
 mod window;
 
-use std::io::{self, Write};
 use std::process::ExitCode;
 
-use command_line::{Failure, Source, one_line, parse, print};
+use command_line::{Failure, Source, exit_code, parse, print};
 
 use self::arguments::Arguments;
 use self::output::Outputs;
 use self::picture::Drawing;
 
 fn main() -> ExitCode {
-    match parse().and_then(|arguments| run(&arguments)) {
-        Ok(()) => ExitCode::SUCCESS,
-        Err(failure) => {
-            // If standard error cannot be written either, nothing is left to do.
-            let _ = writeln!(io::stderr(), "error: {}", one_line(&failure.to_string()));
-            ExitCode::from(2)
-        }
-    }
+    exit_code(parse().and_then(|arguments| run(&arguments)))
 }
 
 fn run(arguments: &Arguments) -> Result<(), Failure> {

@@ -12,7 +12,7 @@ mod source;
 
 pub use draw::Settings;
 pub use file::{OutputFile, are_same_file, is_standard_output, print, shown};
-pub use mistake::{in_one_line, json_line, parse};
+pub use mistake::{exit_code, in_one_line, json_line, parse};
 pub use reflet::host::line::one_line;
 pub use samples::four_samples;
 pub use setting::{Quality, Shading, size};

@@ -1,6 +1,10 @@
 //! Parses the command line, and writes its errors in one line.
 
-use reflet::host::line::escaped;
+use std::fmt::Display;
+use std::io::{self, Write};
+use std::process::ExitCode;
+
+use reflet::host::line::{escaped, one_line};
 
 use crate::Failure;
 
@@ -12,6 +16,16 @@ pub fn parse<A: clap::Parser>() -> Result<A, Failure> {
         }
         in_one_line(&error).into()
     })
+}
+
+/// Returns the exit code of a command: 0, or 2 after an error, which becomes a line on standard error.
+pub fn exit_code(done: Result<(), impl Display>) -> ExitCode {
+    let Err(failure) = done else {
+        return ExitCode::SUCCESS;
+    };
+    // If standard error cannot be written either, nothing is left to do.
+    let _ = writeln!(io::stderr(), "error: {}", one_line(&format!("{failure:#}")));
+    ExitCode::from(2)
 }
 
 /// Joins the lines of clap's error message into one line. Leaves out the advice to read the help.

@@ -3,12 +3,13 @@
 //! `cargo run --release --package lost -- --help`
 
 use std::fs;
-use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 use clap::Parser;
-use command_line::{Chosen, Failure, Quality, Shading, Source, parse, print, shown, size};
+use command_line::{
+    Chosen, Failure, Quality, Shading, Source, exit_code, parse, print, shown, size,
+};
 use embedded_graphics::geometry::Size;
 use lost::case::{Case, Judged};
 use lost::families::{Family, scene_of_run};
@@ -65,14 +66,7 @@ struct Arguments {
 }
 
 fn main() -> ExitCode {
-    match parse().and_then(|arguments| run(&arguments)) {
-        Ok(()) => ExitCode::SUCCESS,
-        Err(failure) => {
-            // If standard error cannot be written either, nothing is left to do.
-            let _ = writeln!(io::stderr(), "error: {failure}");
-            ExitCode::from(2)
-        }
-    }
+    exit_code(parse().and_then(|arguments| run(&arguments)))
 }
 
 /// Draws the scenes, prints a line for each picture that loses pixels, and then a table.

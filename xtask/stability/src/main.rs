@@ -10,7 +10,7 @@ use std::path::PathBuf;
 use std::process::ExitCode;
 
 use clap::Parser;
-use command_line::{Failure, parse};
+use command_line::{Failure, exit_code, parse};
 use stability::{page, report};
 
 /// Tries every case of the catalogue and writes docs/internals/stability.md.
@@ -40,13 +40,8 @@ struct Arguments {
 
 fn main() -> ExitCode {
     match parse().and_then(|arguments| run(&arguments)) {
-        Ok(true) => ExitCode::SUCCESS,
         Ok(false) => ExitCode::FAILURE,
-        Err(failure) => {
-            // If standard error cannot be written either, nothing is left to do.
-            let _ = writeln!(io::stderr(), "error: {failure}");
-            ExitCode::from(2)
-        }
+        done => exit_code(done.map(drop)),
     }
 }
 
