@@ -49,11 +49,7 @@ fn hash(display: &SimulatorDisplay<Rgb888>, missing: u64) -> u64 {
     let mut bytes = display.to_be_bytes();
     let kept = bytes.len() - 3 * SIZE.width as usize * missing as usize;
     bytes[kept..].fill(0);
-    let mut hash = FrameHash::NONE;
-    bytes
-        .chunks_exact(3)
-        .for_each(|it| hash.add([it[0], it[1], it[2]]));
-    hash.value()
+    FrameHash::of(bytes.chunks_exact(3).map(|it| [it[0], it[1], it[2]]))
 }
 
 /// Returns the most instructions that the draw target may take in addition to the budget. It takes a

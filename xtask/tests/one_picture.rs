@@ -15,10 +15,7 @@ const SIDE: u32 = 64;
 fn hash(name: &str, quality: Quality) -> u64 {
     let source = Source::built_in(name).unwrap();
     let settings = Settings::blinn_phong(quality, 4);
-    let picture = source.drawn(Size::new_equal(SIDE), settings);
-    let mut hash = FrameHash::NONE;
-    picture.pixels.into_iter().for_each(|pixel| hash.add(pixel));
-    hash.value()
+    FrameHash::of(source.drawn(Size::new_equal(SIDE), settings).pixels)
 }
 
 /// Checks that a core and this machine draw the same pictures.

@@ -31,10 +31,7 @@ fn stack_of_right_picture(said: &str) -> u64 {
 
 fn hash() -> u64 {
     let frame = Castle::frame(&Castle::CAMERA).prepare(Size::new_equal(SIDE));
-    let picture = painted(&frame.on(&Castle).unwrap());
-    let mut hash = FrameHash::NONE;
-    picture.pixels.into_iter().for_each(|pixel| hash.add(pixel));
-    hash.value()
+    FrameHash::of(painted(&frame.on(&Castle).unwrap()).pixels)
 }
 
 #[test]

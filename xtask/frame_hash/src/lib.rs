@@ -30,6 +30,13 @@ impl FrameHash {
         }
     }
 
+    /// Returns the hash of these pixels.
+    pub fn of(pixels: impl IntoIterator<Item = [u8; 3]>) -> u64 {
+        let mut hash = Self::NONE;
+        pixels.into_iter().for_each(|pixel| hash.add(pixel));
+        hash.value()
+    }
+
     /// Returns the hash of all bytes added so far.
     pub const fn value(self) -> u64 {
         self.0

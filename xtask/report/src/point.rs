@@ -94,7 +94,5 @@ pub fn paint(source: &Source, size: Size, setting: &Setting) -> Picture {
 
 /// Returns the hash that a firmware reports for the same picture.
 pub fn hash(picture: &Picture) -> u64 {
-    let mut hash = FrameHash::NONE;
-    picture.pixels.iter().for_each(|pixel| hash.add(*pixel));
-    hash.value()
+    FrameHash::of(picture.pixels.iter().copied())
 }

@@ -109,10 +109,8 @@ mod tests {
             let (scene, camera) = file.reference();
             let source = Source::described(name.clone(), scene, camera).unwrap();
             let settings = Settings::blinn_phong(Quality::Fast, 4);
-            let mut hash = FrameHash::NONE;
-            let picture = source.drawn(Size::new(64, 64), settings);
-            picture.pixels.iter().for_each(|&pixel| hash.add(pixel));
-            assert_eq!(format!("{:016x}", hash.value()), hashes[&name], "{name}");
+            let hash = FrameHash::of(source.drawn(Size::new(64, 64), settings).pixels);
+            assert_eq!(format!("{hash:016x}"), hashes[&name], "{name}");
         }
     }
 

@@ -87,12 +87,7 @@ impl Frame {
 
     /// Returns the hash of the picture, if all of it was drawn and nothing was changed afterwards.
     pub fn hash(&self) -> Option<u64> {
-        if self.drawn.iter().any(Vec::is_empty) {
-            return None;
-        }
-        let mut hash = FrameHash::NONE;
-        let pixels = self.drawn.iter().flatten();
-        pixels.for_each(|pixel| hash.add(*pixel));
-        Some(hash.value())
+        let is_whole = !self.drawn.iter().any(Vec::is_empty);
+        is_whole.then(|| FrameHash::of(self.drawn.iter().flatten().copied()))
     }
 }
