@@ -70,6 +70,7 @@ fn are_painted_as_double_precision_paints_them(family: Family, count: usize) {
 #[test]
 fn any_valid_scene_is_painted_as_double_precision_paints_it() {
     are_painted_as_double_precision_paints_them(Family::Any, 800);
+    are_painted_as_double_precision_paints_them(Family::Fading, 240);
 }
 
 #[test]
@@ -77,11 +78,6 @@ fn any_valid_scene_is_painted_as_double_precision_paints_it() {
 fn many_more_scenes_are_painted_as_double_precision_paints_them() {
     are_painted_as_double_precision_paints_them(Family::Any, 2000);
     are_painted_as_double_precision_paints_them(Family::Fading, 600);
-}
-
-#[test]
-fn lights_that_fall_off_are_painted_as_double_precision_paints_them() {
-    are_painted_as_double_precision_paints_them(Family::Fading, 240);
 }
 
 /// Only one in this many pixels may exceed its bound, because rounding changed what its path hits.
@@ -132,10 +128,6 @@ fn no_pixel_is_further_off_than_its_bound(family: Family, count: usize) {
 #[test]
 fn no_pixel_of_any_scene_is_further_off_than_its_bound() {
     no_pixel_is_further_off_than_its_bound(Family::Any, 160);
-}
-
-#[test]
-fn no_pixel_under_lights_that_fall_off_is_further_off_than_its_bound() {
     no_pixel_is_further_off_than_its_bound(Family::Fading, 120);
 }
 

@@ -78,10 +78,6 @@ fn found(fixed: f64, single: f64) -> Measured {
 #[test]
 fn random_scenes_overflow_nowhere() {
     overflow_nowhere(Wild::read, 100_000);
-}
-
-#[test]
-fn random_scenes_with_ranges_overflow_nowhere() {
     overflow_nowhere(Wild::read_with_ranges, 50_000);
 }
 
