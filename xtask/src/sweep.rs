@@ -53,9 +53,9 @@ impl Sweep {
     /// Builds for the same target run one after another.
     pub fn run(&self, mut counted: impl FnMut(Count)) -> Result<()> {
         let ticket = self.ticket();
-        let job = |file: &Path| self.job(file, ticket);
         let file = self.scenes.first().and_then(|(scene, _)| scene.source());
-        let program = firmware::build_sweep(self.core, file, job)?;
+        let job = |file: &Path| self.job(file, ticket);
+        let program = firmware::build_sweep((self.core, self.size), file, job)?;
         let emulator = self.core.counting_emulator().limit(LIMIT);
         let mut running = emulator.boot(&program)?;
         let runs = self.scenes.iter().flat_map(|(_, settings)| settings);
@@ -89,7 +89,7 @@ impl Sweep {
     /// Returns the source that the firmware includes. `file` is the path of the source of a scene file's
     /// scene.
     fn job(&self, file: &Path, ticket: u64) -> String {
-        let (mut source, mut runs) = (task::order(self.size, ticket), String::new());
+        let (mut source, mut runs) = (task::ticket(ticket), String::new());
         for (index, (scene, settings)) in self.scenes.iter().enumerate() {
             let (module, scene, view) = scene.names(file);
             source += &format!(

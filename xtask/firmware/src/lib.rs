@@ -36,15 +36,16 @@ pub use moving::{Moves, Moving};
 pub use sweep::{Run, sweep, swept};
 use tally::Tally;
 
-/// Task of a measuring program.
-pub struct Order {
-    pub size: (u32, u32),
-    /// Number that the program prints with its report; it tells the reports of two programs apart.
-    pub ticket: u64,
-}
+/// Columns and rows of the picture. `cargo xtask` writes them into a copy of the linked program, so one program
+/// serves all sizes.
+#[unsafe(no_mangle)]
+static SIZE: [u32; 2] = [0; 2];
+
+/// Largest width of a picture.
+pub const WIDEST: usize = 65_535;
 
 /// Defines the start of a program that includes the job as `job` and calls a function with a row of
-/// the job's width. The row is static, so the stack holds only what the renderer needs.
+/// the largest width. The row is static, so the stack holds only what the renderer needs.
 #[macro_export]
 macro_rules! program {
     (|$row:ident| $call:expr) => {
@@ -53,8 +54,8 @@ macro_rules! program {
             include!(env!("MEASURE_JOB"));
         }
 
-        static mut ROW: [$crate::Rgb888; job::ORDER.size.0 as usize] =
-            [<$crate::Rgb888 as $crate::RgbColor>::BLACK; job::ORDER.size.0 as usize];
+        static mut ROW: [$crate::Rgb888; $crate::WIDEST] =
+            [<$crate::Rgb888 as $crate::RgbColor>::BLACK; $crate::WIDEST];
 
         #[unsafe(no_mangle)]
         extern "C" fn main() -> ! {
@@ -65,6 +66,16 @@ macro_rules! program {
     };
 }
 
+/// Returns the size of the picture, and the part of a row that is as wide.
+fn sized(row: &mut [Rgb888]) -> ((u32, u32), &mut [Rgb888]) {
+    // The compiler must not know it: it changes after the program is linked.
+    let [width, height] = *black_box(&SIZE);
+    (
+        (width, height),
+        row.get_mut(..width as usize).unwrap_or_default(),
+    )
+}
+
 /// Returns what a row of up to 256 columns leaves to the row below. Without smooth edges it is not linked.
 fn seam() -> &'static mut Seam<8> {
     // Static as the row is, so the stack holds only what the renderer needs.
@@ -73,8 +84,10 @@ fn seam() -> &'static mut Seam<8> {
     unsafe { &mut *addr_of_mut!(SEAM) }
 }
 
-/// Draws a frame of contestant `C` row by row into `row`, reports and ends the emulation.
-pub fn measure<C: Contestant>(order: &Order, row: &mut [Rgb888]) -> ! {
+/// Draws a frame of contestant `C` row by row into `row`, reports and ends the emulation. The report has the ticket,
+/// which tells the reports of two programs apart.
+pub fn measure<C: Contestant>(ticket: u64, row: &mut [Rgb888]) -> ! {
+    let (size, row) = sized(row);
     // Static as the row is, so the stack holds only what the renderer needs.
     static mut TALLY: Tally = Tally::NONE;
     // Sound: nothing else names it, and this function is called once, for it never returns.
@@ -86,10 +99,10 @@ pub fn measure<C: Contestant>(order: &Order, row: &mut [Rgb888]) -> ! {
     let moved = C::moved(&clock, &mut scene);
     let start = clock.now();
     // Seen by reference, so that the stack holds one and no copy.
-    let picture = C::prepare(&scene, black_box(order.size));
+    let picture = C::prepare(&scene, black_box(size));
     black_box(&picture);
     let prepare = clock.since(start);
-    for y in 0..order.size.1 {
+    for y in 0..size.1 {
         let start = clock.now();
         C::row((&scene, black_box(&picture)), y, black_box(row));
         tally.add(y, clock.since(start));
@@ -105,7 +118,7 @@ pub fn measure<C: Contestant>(order: &Order, row: &mut [Rgb888]) -> ! {
         report::text("\n");
     }
     report::text("measured");
-    report::number(" ticket=", order.ticket);
+    report::number(" ticket=", ticket);
     report::number(" prepare=", u64::from(prepare));
     tally.report();
     report::number(" stack=", u64::from(stack));

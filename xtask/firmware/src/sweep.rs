@@ -11,7 +11,7 @@ use reflet::shading::BlinnPhong;
 use reflet::{FrameBuilder, PreparedFrame};
 
 use crate::clock::Clock;
-use crate::{Order, View, report};
+use crate::{View, report, sized};
 
 /// Prepares a frame for one size of picture, with a number of reflections that is known only while the
 /// program runs.
@@ -54,12 +54,13 @@ pub struct Drawn {
 }
 
 /// Draws a frame with each setting, reports each, and ends the emulation.
-pub fn sweep(order: &Order, runs: &[Run], row: &mut [Rgb888]) -> ! {
+pub fn sweep(ticket: u64, runs: &[Run], row: &mut [Rgb888]) -> ! {
+    let (size, row) = sized(row);
     let clock = Clock::start();
     for (index, run) in (0..).zip(black_box(runs)) {
-        let drawn = (run.draw)(&clock, black_box(order.size), run, row);
+        let drawn = (run.draw)(&clock, black_box(size), run, row);
         report::text("measured");
-        report::number(" ticket=", order.ticket);
+        report::number(" ticket=", ticket);
         report::number(" run=", index);
         report::number(" instructions=", drawn.instructions);
         report::number(" prepare=", u64::from(drawn.prepare));

@@ -8,7 +8,8 @@ use std::{
 };
 
 use anyhow::{Context, Result, bail};
-use object::{Object, ObjectSection, SectionFlags, elf};
+use embedded_graphics::geometry::Size;
+use object::{Object, ObjectSection, ObjectSymbol, SectionFlags, elf};
 use rustix::fs::FlockOperation;
 
 use super::{build_profile::BuildProfile, cores::Core, images, ledger, task, task::Task};
@@ -99,32 +100,61 @@ impl Place {
 
 /// Returns the program that measures a task, and builds it if it is not there.
 pub(super) fn build(task: &Task) -> Result<Program> {
-    let job = task.job(&Place::of(task.core).scene());
+    let (source, ticket) = task.job(&Place::of(task.core).scene());
     let text = task.scene.source();
+    let program = program("scene", task.core, text, &source, task.profile)?;
     Ok(Program {
-        scene: program("scene", task.core, text, &job.source, task.profile)?,
-        ticket: job.ticket,
+        scene: sized(&program, task.settings.size)?,
+        ticket,
     })
 }
 
-/// Returns the program that draws nothing at the task's size: one for all scenes and settings.
+/// Returns the program that draws nothing: one for all scenes and settings.
 fn empty(task: &Task) -> Result<PathBuf> {
     /// As long as any other, so that the code that reports it is the same.
     const TICKET: u64 = 0x0123_4567_89ab_cdef;
-    let source = task::order(task.settings.size, TICKET);
-    program("empty", task.core, None, &source, task.profile)
+    program(
+        "empty",
+        task.core,
+        None,
+        &task::ticket(TICKET),
+        task.profile,
+    )
 }
 
 /// The firmware that goes through several scenes and settings; `job` makes its source of the place where the source
 /// of a file's scene, `scene`, lies.
 pub(crate) fn build_sweep(
-    core: &Core,
+    (core, size): (&Core, Size),
     scene: Option<&str>,
     job: impl FnOnce(&Path) -> String,
 ) -> Result<PathBuf> {
     let source = job(&Place::of(core).scene());
     let profile = BuildProfile::RECOMMENDED;
-    program("sweep", core, scene, &source, profile)
+    sized(&program("sweep", core, scene, &source, profile)?, size)
+}
+
+/// Returns a copy of a program that draws pictures of this size.
+fn sized(program: &Path, size: Size) -> Result<PathBuf> {
+    let copy = images::place((program, size.width, size.height))?;
+    if !copy.is_file() {
+        let mut bytes = images::read(program)?;
+        let sides = [size.width, size.height].map(u32::to_le_bytes).concat();
+        let place = place_of_size(&bytes).and_then(|at| bytes.get_mut(at..at + sides.len()));
+        let place = place.with_context(|| format!("{} has no SIZE", program.display()))?;
+        place.copy_from_slice(&sides);
+        images::keep(&bytes, &copy)?;
+    }
+    Ok(copy)
+}
+
+/// Returns where the size of the picture stands in the file of a program.
+fn place_of_size(program: &[u8]) -> Option<usize> {
+    let program = object::File::parse(program).ok()?;
+    let size = program.symbol_by_name("SIZE")?;
+    let section = program.section_by_index(size.section_index()?).ok()?;
+    let (start, _) = section.file_range()?;
+    usize::try_from(start + size.address() - section.address()).ok()
 }
 
 /// Returns the program of this name for a job, and builds it if it is not there. `scene` is the source
@@ -160,7 +190,10 @@ fn program(
     let chosen = [profile.arguments, &["--bin", name], features].concat();
     ledger::timed("build", &title, || compile(core, &source, &chosen))?;
     let built = place.target.join(core.target);
-    images::keep(&built.join(profile.folder).join(name), &program)?;
+    images::keep(
+        &images::read(&built.join(profile.folder).join(name))?,
+        &program,
+    )?;
     Ok(program)
 }
 
@@ -196,9 +229,9 @@ fn sections(
     program: &Path,
     mut see: impl FnMut(&object::Section, u64) -> Result<()>,
 ) -> Result<()> {
-    let unreadable = || format!("cannot read {}", program.display());
-    let bytes = fs::read(program).with_context(unreadable)?;
-    let program = object::File::parse(&*bytes).with_context(unreadable)?;
+    let bytes = images::read(program)?;
+    let program = object::File::parse(&*bytes)
+        .with_context(|| format!("cannot read {}", program.display()))?;
     for section in program.sections() {
         let SectionFlags::Elf { sh_flags } = section.flags() else {
             bail!("a firmware is an ELF file");

@@ -31,11 +31,16 @@ pub fn place(key: impl Hash) -> Result<PathBuf> {
     Ok(folder()?.join(format!("{:016x}", hasher.finish())))
 }
 
-/// Keeps a copy of a program at a place, whole or not at all.
-pub fn keep(program: &Path, place: &Path) -> Result<()> {
+/// Returns the bytes of a program.
+pub fn read(program: &Path) -> Result<Vec<u8>> {
+    fs::read(program).with_context(|| format!("cannot read {}", program.display()))
+}
+
+/// Keeps a program at a place, whole or not at all.
+pub fn keep(program: &[u8], place: &Path) -> Result<()> {
     let half = place.with_extension(format!("{}.part", process::id()));
-    fs::copy(program, &half)
-        .and_then(|_| fs::rename(&half, place))
+    fs::write(&half, program)
+        .and_then(|()| fs::rename(&half, place))
         .with_context(|| format!("cannot keep {}", place.display()))
 }
 
@@ -81,7 +86,7 @@ pub fn kept(
     let image = place((package, target, program, hasher.finish()))?;
     let _one = BUILD.lock().unwrap_or_else(PoisonError::into_inner);
     if !image.is_file() {
-        keep(&build()?, &image)?;
+        keep(&read(&build()?)?, &image)?;
     }
     Ok(image)
 }

@@ -97,14 +97,6 @@ pub struct Task {
     pub profile: &'static BuildProfile,
 }
 
-/// A task as the firmware is built from it.
-pub struct Job {
-    /// The Rust source that the firmware includes.
-    pub source: String,
-    /// Comes back with the report.
-    pub ticket: u64,
-}
-
 impl Task {
     /// A scene with four reflections and Blinn-Phong shading, and what it needs linked.
     pub fn new(core: &'static Core, scene: Scene, size: Size, quality: Quality) -> Self {
@@ -123,18 +115,14 @@ impl Task {
         }
     }
 
-    /// The firmware's source for this; `scene` is where the source of a file's scene lies.
-    pub fn job(&self, scene: &Path) -> Job {
-        let Settings { size, .. } = self.settings;
+    /// Returns the source that the firmware includes, and the number that comes back with its report. `scene` is where
+    /// the source of a file's scene lies.
+    pub fn job(&self, scene: &Path) -> (String, u64) {
         let contestant = self.contestant(scene);
         let mut hasher = DefaultHasher::new();
-        (self.core.name, size.width, size.height, &contestant).hash(&mut hasher);
+        (self.core.name, &contestant).hash(&mut hasher);
         let ticket = hasher.finish();
-        let source = format!(
-            "// Written by `cargo xtask measure`.\n\n{}{contestant}",
-            order(size, ticket)
-        );
-        Job { source, ticket }
+        (self::ticket(ticket) + &contestant, ticket)
     }
 
     /// Returns the source of the type `Job`: what draws the scene with these settings.
@@ -169,12 +157,7 @@ impl Task {
     }
 }
 
-/// Returns the source of the firmware's order: the size of the picture, and a number that comes back
-/// with the report.
-pub(crate) fn order(size: Size, ticket: u64) -> String {
-    let Size { width, height } = size;
-    format!(
-        "pub const ORDER: firmware::Order =\n    \
-         firmware::Order {{ size: ({width}, {height}), ticket: {ticket:#x} }};\n\n"
-    )
+/// Returns the source of the number that comes back with the firmware's report.
+pub(crate) fn ticket(ticket: u64) -> String {
+    format!("pub const TICKET: u64 = {ticket:#x};\n\n")
 }

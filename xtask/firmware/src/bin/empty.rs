@@ -2,4 +2,4 @@
 #![no_std]
 #![no_main]
 
-firmware::program!(|row| firmware::measure::<firmware::Nothing>(&job::ORDER, row));
+firmware::program!(|row| firmware::measure::<firmware::Nothing>(job::TICKET, row));

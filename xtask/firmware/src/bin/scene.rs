@@ -2,4 +2,4 @@
 #![no_std]
 #![no_main]
 
-firmware::program!(|row| firmware::measure::<job::Job>(&job::ORDER, row));
+firmware::program!(|row| firmware::measure::<job::Job>(job::TICKET, row));

@@ -2,4 +2,4 @@
 #![no_std]
 #![no_main]
 
-firmware::program!(|row| firmware::sweep(&job::ORDER, job::RUNS, row));
+firmware::program!(|row| firmware::sweep(job::TICKET, job::RUNS, row));
