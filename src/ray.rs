@@ -50,10 +50,12 @@ pub struct ScaledPoint {
 
 impl ScaledPoint {
     /// Middle of the scene: all coordinates are 0.
-    pub const ORIGIN: Self = Self {
-        point: Point::ORIGIN,
-        scale: 0,
-    };
+    pub const ORIGIN: Self = Self::at(Point::ORIGIN);
+
+    /// Creates a point whose coordinates are from -[`NEAR`] to below [`NEAR`].
+    pub const fn at(point: Point) -> Self {
+        Self { point, scale: 0 }
+    }
 
     /// Creates a point from coordinates in steps of 2^`scale` and brings it to normal form.
     pub const fn new(point: Point, scale: u32) -> Self {
@@ -95,7 +97,7 @@ impl ScaledPoint {
     #[inline(always)]
     pub(crate) const fn near(point: Point) -> Option<Self> {
         if is_near(point) {
-            Some(Self { point, scale: 0 })
+            Some(Self::at(point))
         } else {
             None
         }

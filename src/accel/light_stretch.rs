@@ -176,7 +176,7 @@ macro_rules! any_hides {
         /// stretch shows.
         #[inline(never)]
         pub(crate) fn is_clear_way<W: World>(world: &W, eye: Point, stretch: &LitStretch) -> bool {
-            let apex = ScaledPoint { point: eye, scale: 0 };
+            let apex = ScaledPoint::at(eye);
             let thickness = stretch.bulge + stretch.slack;
             let Some(fan) = Fan::new(&Rays::new(apex, stretch.ends), thickness) else {
                 return false;

@@ -101,10 +101,7 @@ fn shadows<W: World>(
     borders: &mut Borders,
 ) {
     let parts = world.parts();
-    let eye = ScaledPoint {
-        point: pencil.eye,
-        scale: 0,
-    };
+    let eye = ScaledPoint::at(pencil.eye);
     let (row, height) = (&pencil.row, plane.height(pencil.eye) >> 30);
     // Light arrives epsilon above the plane, and does not from below.
     let epsilon = i64::from(parts.epsilon.to_bits());
