@@ -106,18 +106,12 @@ impl<'s, 'a, W: World, K: Shading, Q: Quality, M: Marks> Colors<'s, 'a, W, K, Q,
         );
     };
 
-    /// Tests whether every pixel is traced.
-    #[inline(always)]
-    fn traces_each(tracer: &Tracer<'a, W, K, Q>) -> bool {
-        !Tracer::<W, K, Q>::IS_INTERPOLATED || !tracer.is_near()
-    }
-
     /// Returns the number of columns of a block in a picture of `width` columns: 1 if every pixel is traced.
     #[inline(always)]
     fn block(tracer: &Tracer<'a, W, K, Q>, width: u32) -> u32 {
-        match Self::traces_each(tracer) {
-            true => 1,
-            false => block_of(width),
+        match Tracer::<W, K, Q>::IS_INTERPOLATED && tracer.is_near() {
+            true => block_of(width),
+            false => 1,
         }
     }
 
@@ -170,7 +164,7 @@ impl<'s, 'a, W: World, K: Shading, Q: Quality, M: Marks> Colors<'s, 'a, W, K, Q,
         if first < self.clear_until {
             return;
         }
-        if Self::traces_each(self.tracer) {
+        if !Tracer::<W, K, Q>::IS_INTERPOLATED || self.block == 1 {
             if first > self.window.last {
                 self.window = self.tracer.advance(first, first + SHORT);
             }
@@ -243,13 +237,15 @@ impl<'s, 'a, W: World, K: Shading, Q: Quality, M: Marks> Colors<'s, 'a, W, K, Q,
     #[inline(always)]
     fn traced(&mut self, column: u32, slot: usize) -> Traced {
         let direction = self.directions.of(column);
-        if Q::SMOOTHNESS > 1 {
+        match Q::SMOOTHNESS {
+            1 => {
+                let stops = (&mut self.stops[slot.min(UNREAD)], slot != UNREAD);
+                let pixel = Pixel::Center(&self.window, column);
+                self.tracer.trace(pixel, direction, stops)
+            }
             // The further samples of a smooth picture share the code.
-            return self.along((true, column), direction, slot);
+            _ => self.along((true, column), direction, slot),
         }
-        let stops = (&mut self.stops[slot.min(UNREAD)], slot != UNREAD);
-        let pixel = Pixel::Center(&self.window, column);
-        self.tracer.trace(pixel, direction, stops)
     }
 
     /// Traces a path through a pixel of a column, out of line: through its centre if `is_center`.

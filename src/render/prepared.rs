@@ -85,8 +85,8 @@ impl<S: Drawable, Q: Quality, K: Shading> PreparedFrame<S, Q, K> {
     #[inline(always)]
     pub(super) fn new(scene: &S, camera: &Camera, sides: [u32; 2], reflections: u8) -> Self {
         // Smooth edges have a column of corners more than of pixels.
-        let [width, height] =
-            sides.map(|side| side.clamp(1, 65_535 - u32::from(Q::SMOOTHNESS > 1)));
+        let most = 65_535 - u32::from(Q::SMOOTHNESS > 1);
+        let [width, height] = [sides[0].clamp(1, most), sides[1].clamp(1, most)];
         let world = &scene.world();
         let mut frame = Self {
             generator: None,

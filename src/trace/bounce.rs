@@ -48,7 +48,7 @@ impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
         bounce: &Bounce,
     ) -> Option<Surface<'a>> {
         let (world, skip) = (self.world, bounce.skip);
-        let (at, shape) = if !Q::CULLING.is_any() {
+        let (at, shape) = if Self::IS_PLAIN {
             self.plain_hit(ray, bounce)
         } else {
             let hit = self.near_hit(pixel, ray, bounce);

@@ -108,7 +108,7 @@ pub(crate) struct Tracer<'a, W: World, K, Q> {
 }
 
 impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
-    /// Whether no culling is used and every pixel is traced.
+    /// Whether no culling is used and every pixel is traced. Only one side of a branch on the constant itself is compiled.
     pub(crate) const IS_PLAIN: bool = !Q::CULLING.is_any();
 
     /// Whether pixels are interpolated.
@@ -140,9 +140,9 @@ impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
     /// Advances to the columns from `first` to `last`, and returns them. `first` never decreases.
     #[inline(always)]
     pub(crate) fn advance(&mut self, first: u32, last: u32) -> Window {
-        match Q::CULLING.is_any() {
-            true => self.culling.advance(self.world, first, last),
-            false => Window::default(),
+        match Self::IS_PLAIN {
+            true => Window::default(),
+            false => self.culling.advance(self.world, first, last),
         }
     }
 
@@ -284,11 +284,11 @@ impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
     #[inline(always)]
     fn shade(&self, surface: &Surface<'_>) -> Lit {
         let world = self.world;
-        match Q::CULLING.is_any() {
-            true => {
+        match Self::IS_PLAIN {
+            true => K::color::<W, Q, _>(world, surface, &Plain::<W, Q>::new(world)),
+            false => {
                 K::color::<W, Q, _>(world, surface, &Culled::<W, Q>::new(world, self.visibility))
             }
-            false => K::color::<W, Q, _>(world, surface, &Plain::<W, Q>::new(world)),
         }
     }
 }

@@ -3,7 +3,6 @@
 
 use super::stops::Stop;
 use super::stretch::LARGEST_TURN;
-use super::{PathQuality, Tracer};
 use crate::accel::{LitStretch, World};
 use crate::material::PreparedMaterial;
 use crate::number::{
@@ -11,6 +10,7 @@ use crate::number::{
     unsigned_wide, wide,
 };
 use crate::ray::ScaledPoint;
+use crate::scene::access::Parts;
 use crate::shade::highlight::sealed::Shading;
 use crate::shade::{Glance, Samples, begins_sharply, is_little};
 use crate::shape::bordered::{Ball, Rays};
@@ -33,78 +33,87 @@ pub(super) struct Shown<'a> {
     radius: i32,
 }
 
-impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
-    /// Returns the surface that a stretch shows. `None` if it turns too much.
-    pub(super) fn shown(&self, eye: Point, row: Direction, stops: [&Stop; 2]) -> Option<Shown<'a>> {
-        let parts = self.world.parts();
-        let [first, last] = stops;
-        // How the normals of a smooth triangle turn is not known.
-        if W::NEEDS.triangles && parts.is_smooth(first.shape) {
-            return None;
-        }
-        let (normals, material) = self.normals(stops)?;
-        let is_curved = parts.bending_radius(first.shape).is_some();
-        if first.place.is_near() != last.place.is_near() {
-            return None;
-        }
-        // From inside, an arc may be longer than half a circle.
-        if is_curved && first.is_inside {
-            let view = |stop: &Stop| eye.to(stop.place.point).normalised().0;
-            if view(first).dot(view(last)) <= Unit::ZERO {
-                return None;
-            }
-        }
-        let mut shown = Shown {
-            material,
-            lit: LitStretch {
-                shape: first.shape,
-                is_hollow: is_curved && first.is_inside,
-                bulge: 0,
-                slack: 0,
-                ends: [first.place, last.place],
-            },
-            normals,
-            turn: Unit::ZERO,
-            circle: Unit::ONE,
-            ball: None,
-            eye,
-            radius: parts.bending_radius(first.shape).unwrap_or(0),
-        };
-        if first.place.is_near() && last.place.is_near() {
-            let epsilon = parts.epsilon.to_bits().max(parts.inner_epsilon.to_bits());
-            let ball = ball_over(first.place.point, last.place.point, 2 * epsilon);
-            shown.ball = Some(ball);
-            shown.lit.slack = 2 * epsilon + 8;
-            if is_curved {
-                let (angle, least, change) = turn_in_plane(normals, row)?;
-                (shown.circle, shown.turn) = (least, change);
-                // The curve lies in the triangle of its chord and its tangents. With the angle τ between
-                // them its height is at most half the chord times tan(τ / 2).
-                shown.lit.bulge = scaled_by_unit(ball.1 + (ball.1 >> 2), angle) / 2 + 1;
-            }
-        }
-        Some(shown)
+/// Returns the surface that a stretch shows. `None` if it turns too much.
+pub(super) fn shown<'a, W: World>(
+    world: &'a W,
+    eye: Point,
+    row: Direction,
+    stops: [&Stop; 2],
+) -> Option<Shown<'a>> {
+    let parts = world.parts();
+    let [first, last] = stops;
+    // How the normals of a smooth triangle turn is not known.
+    if W::NEEDS.triangles && parts.is_smooth(first.shape) {
+        return None;
     }
-
-    /// Returns the normals at two stops on one surface, and its material. `None` if the stops are lifted by
-    /// more than a quarter of the radius: a normal there would be much longer than one.
-    #[inline(always)]
-    fn normals(&self, stops: [&Stop; 2]) -> Option<([Direction; 2], &'a PreparedMaterial)> {
-        let parts = self.world.parts();
-        let [first, last] = stops;
+    let (normals, material) = normals(&parts, stops)?;
+    let is_curved = parts.bending_radius(first.shape).is_some();
+    if first.place.is_near() != last.place.is_near() {
+        return None;
+    }
+    // From inside, an arc may be longer than half a circle.
+    if is_curved && first.is_inside && are_apart(eye, stops) {
+        return None;
+    }
+    let mut shown = Shown {
+        material,
+        lit: LitStretch {
+            shape: first.shape,
+            is_hollow: is_curved && first.is_inside,
+            bulge: 0,
+            slack: 0,
+            ends: [first.place, last.place],
+        },
+        normals,
+        turn: Unit::ZERO,
+        circle: Unit::ONE,
+        ball: None,
+        eye,
+        radius: parts.bending_radius(first.shape).unwrap_or(0),
+    };
+    if first.place.is_near() && last.place.is_near() {
         let epsilon = parts.epsilon.to_bits().max(parts.inner_epsilon.to_bits());
-        let radius = parts.bending_radius(first.shape);
-        if radius.is_some_and(|radius| radius >> 2 < epsilon) {
-            return None;
+        let ball = ball_over(first.place.point, last.place.point, 2 * epsilon);
+        shown.ball = Some(ball);
+        shown.lit.slack = 2 * epsilon + 8;
+        if is_curved {
+            let (angle, least, change) = turn_in_plane(normals, row)?;
+            (shown.circle, shown.turn) = (least, change);
+            // The curve lies in the triangle of its chord and its tangents. With the angle τ between
+            // them its height is at most half the chord times tan(τ / 2).
+            shown.lit.bulge = scaled_by_unit(ball.1 + (ball.1 >> 2), angle) / 2 + 1;
         }
-        let (one, material) = parts.outside(first.shape, first.place.point)?;
-        let (other, _) = parts.outside(last.shape, last.place.point)?;
-        let normals = [
-            one.reversed_if(first.is_inside),
-            other.reversed_if(last.is_inside),
-        ];
-        Some((normals, parts.material(material)))
     }
+    Some(shown)
+}
+
+/// Tests whether two stops are seen at least a right angle apart.
+#[inline(always)]
+fn are_apart(eye: Point, [first, last]: [&Stop; 2]) -> bool {
+    let view = |stop: &Stop| eye.to(stop.place.point).normalised().0;
+    view(first).dot(view(last)) <= Unit::ZERO
+}
+
+/// Returns the normals at two stops on one surface, and its material. `None` if the stops are lifted by
+/// more than a quarter of the radius: a normal there would be much longer than one.
+#[inline(always)]
+fn normals<'a>(
+    parts: &Parts<'a>,
+    stops: [&Stop; 2],
+) -> Option<([Direction; 2], &'a PreparedMaterial)> {
+    let [first, last] = stops;
+    let epsilon = parts.epsilon.to_bits().max(parts.inner_epsilon.to_bits());
+    let radius = parts.bending_radius(first.shape);
+    if radius.is_some_and(|radius| radius >> 2 < epsilon) {
+        return None;
+    }
+    let (one, material) = parts.outside(first.shape, first.place.point)?;
+    let (other, _) = parts.outside(last.shape, last.place.point)?;
+    let normals = [
+        one.reversed_if(first.is_inside),
+        other.reversed_if(last.is_inside),
+    ];
+    Some((normals, parts.material(material)))
 }
 
 /// Smallest cosine between the normal and the view for which five pixels show a surface that turns by more than
@@ -149,10 +158,7 @@ impl Shown<'_> {
     /// Returns the directions from the eye to the two ends.
     #[inline(never)]
     fn views(&self) -> [Direction; 2] {
-        let eye = ScaledPoint {
-            point: self.eye,
-            scale: 0,
-        };
+        let eye = ScaledPoint::at(self.eye);
         self.lit.ends.map(|end| eye.to(end).0.normalised().0)
     }
 

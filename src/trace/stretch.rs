@@ -4,7 +4,7 @@
 //! eye and lie in one plane. docs/internals/edges.md has the proof.
 
 use super::origin::Origin;
-use super::shown::Shown;
+use super::shown::{Shown, shown};
 use super::stops::Stop;
 use super::{PathQuality, Stops, Tracer};
 use crate::accel::stretch::{Body, Chord, Stretch};
@@ -127,7 +127,7 @@ impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
         if first.shape == ShapeId::NONE {
             return sure(self.keeps_none(between, origin, stops, proved), 0);
         }
-        let Some(shown) = self.shown(origin.eye, origin.row, stops) else {
+        let Some(shown) = shown(self.world, origin.eye, origin.row, stops) else {
             return Err(steps);
         };
         if W::NEEDS.checkers && !self.keeps_cell(&shown) {
@@ -189,13 +189,8 @@ impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
     ) -> bool {
         let parts = self.world.parts();
         let shape = shown.lit.shape;
-        let body = match parts.plane(shape) {
-            Some(plane) => Body::Plane(plane),
-            None => match parts.ball(shape.index()) {
-                Some((ball, _)) => Body::Ball(ball),
-                None => Body::None,
-            },
-        };
+        let ball = || parts.ball(shape.index()).map(|(ball, _)| Body::Ball(ball));
+        let body = parts.plane(shape).map(Body::Plane).or_else(ball);
         // The curve is not further from the eye than its chord.
         let [one, other] =
             stops.map(|stop| root_of_square(origin.eye.to(stop.place.point).square()));
@@ -203,7 +198,7 @@ impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
         let stretch = Stretch {
             columns: between.1,
             shape,
-            body,
+            body: body.unwrap_or(Body::None),
             chord: shown.ball.map(|ball| Chord {
                 ball,
                 ends: stops.map(|stop| stop.place.point),

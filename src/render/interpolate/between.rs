@@ -1,12 +1,12 @@
 //! Floor 7: the colours between two traced pixels of a block: interpolated, or divided further.
 
-use super::{Colors, End, Marks, SHORTEST, UNREAD};
+use super::{Colors, End, Marks, SHORTEST, SLOTS, UNREAD};
 use crate::accel::World;
 use crate::color::{Bend, Parabola};
 use crate::render::Quality;
 use crate::shade::Samples;
 use crate::shade::highlight::sealed::Shading;
-use crate::trace::Progress;
+use crate::trace::{Progress, Stops};
 
 /// Number of times that a block is divided at most before what is left of it is traced.
 pub(super) const DIVISIONS: usize = 2;
@@ -28,7 +28,7 @@ impl<W: World, K: Shading, Q: Quality, M: Marks> Colors<'_, '_, W, K, Q, M> {
         let is_alike = start.traced.signature.is_same_as(end.traced.signature);
         let columns = [first, first + length];
         if let (Known::Part(proved, _), true) = (&mut known, is_alike && length >= SHORTEST) {
-            let stops = [start, end].map(|end| &self.stops[end.slot.min(UNREAD)]);
+            let stops = hits(&self.stops, ends);
             let between = (&self.window, columns);
             if self.tracer.is_steady(between, stops, proved) {
                 known = Known::Steady(Bend::ZERO, proved.samples);
@@ -59,7 +59,7 @@ impl<W: World, K: Shading, Q: Quality, M: Marks> Colors<'_, '_, W, K, Q, M> {
     ) {
         let known = Known::Part(proved, divisions + 1);
         let slot = 2 + divisions;
-        let stops = [start, end].map(|end| &self.stops[end.slot.min(UNREAD)]);
+        let stops = hits(&self.stops, [start, end]);
         let between = (&self.window, [first, last]);
         let Some(before) = self.tracer.border(between, stops, &proved) else {
             let half = (last - first) / 2;
@@ -129,6 +129,12 @@ impl<W: World, K: Shading, Q: Quality, M: Marks> Colors<'_, '_, W, K, Q, M> {
             );
         }
     }
+}
+
+/// Returns what the paths of two traced pixels hit.
+#[inline(always)]
+fn hits<'a>(stops: &'a [Stops; SLOTS], ends: [&End; 2]) -> [&'a Stops; 2] {
+    ends.map(|end| &stops[end.slot.min(UNREAD)])
 }
 
 /// What is known of the paths between two traced ones.

@@ -56,7 +56,7 @@ impl<W: World, K: Shading, Q: Quality, M: Marks> Colors<'_, '_, W, K, Q, M> {
     /// Returns the result of the paths of the columns from `first` to `last`, if no path hits anything; the next column then
     /// is `last`. Otherwise the next column stays `first`, which must be the first of a block.
     pub(crate) fn missed_until(&mut self, first: u32, last: u32) -> Option<Traced> {
-        if first >= self.clear_until && !Self::traces_each(self.tracer) {
+        if first >= self.clear_until && self.block > 1 {
             self.follow(first);
         }
         (last < self.clear_until).then(|| {
