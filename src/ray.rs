@@ -52,7 +52,7 @@ impl ScaledPoint {
     /// Middle of the scene: all coordinates are 0.
     pub const ORIGIN: Self = Self::at(Point::ORIGIN);
 
-    /// Creates a point whose coordinates are from -[`NEAR`] to below [`NEAR`].
+    /// Creates a near point: its coordinates are from -[`NEAR`] to below [`NEAR`].
     pub const fn at(point: Point) -> Self {
         Self { point, scale: 0 }
     }

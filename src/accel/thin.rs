@@ -10,7 +10,7 @@ use crate::shape::bounded::Bounded;
 
 macro_rules! shows_thin {
     ($header:tt $({ $list:ident $($more:tt)* })*) => {
-        /// Tests whether a row shows a thin shape. `row` are the rays along its upper edge.
+        /// Tests whether a row shows a thin shape. `row` holds the rays along its upper edge.
         #[inline(never)]
         pub(crate) fn shows_thin<W: World>(world: &W, row: &RowPlane) -> bool {
             let parts = world.parts();

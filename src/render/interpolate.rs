@@ -164,6 +164,7 @@ impl<'s, 'a, W: World, K: Shading, Q: Quality, M: Marks> Colors<'s, 'a, W, K, Q,
         if first < self.clear_until {
             return;
         }
+        // With the constant, other qualities do not compile what follows.
         if !Tracer::<W, K, Q>::IS_INTERPOLATED || self.block == 1 {
             if first > self.window.last {
                 self.window = self.tracer.advance(first, first + SHORT);

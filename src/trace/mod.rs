@@ -108,7 +108,7 @@ pub(crate) struct Tracer<'a, W: World, K, Q> {
 }
 
 impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
-    /// Whether no culling is used and every pixel is traced. Only one side of a branch on the constant itself is compiled.
+    /// Whether no culling is used and every pixel is traced. A branch on this constant compiles one side only.
     pub(crate) const IS_PLAIN: bool = !Q::CULLING.is_any();
 
     /// Whether pixels are interpolated.

@@ -92,7 +92,7 @@ impl<W: World, K: Shading, Q: Quality, M: Marks> Colors<'_, '_, W, K, Q, M> {
         let [start, end] = ends;
         let is_smooth = is_alike && samples == Samples::Three;
         if length == 2 {
-            // The second difference is at most four times the tolerance.
+            // Traced, if the expected second difference is more than four times the tolerance.
             let is_flat = expected.is_within(4 * Self::TOLERANCE);
             let (sum, path) = match is_smooth && is_flat {
                 true => (

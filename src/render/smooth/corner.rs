@@ -86,8 +86,8 @@ pub(crate) struct Line {
     pub(super) sides: [Side; CHUNK as usize],
     /// A bit for each side that an edge crosses.
     pub(super) crossed: u32,
-    /// From the highest bit: the line, counted from the top, and one more in 18 bits, so that all zeros are a line that is not
-    /// known; the chunk, counted from the left, in 12 bits; [`Line::FLAT`] and [`Line::ONE`].
+    /// From the highest bit: the number of the line plus one, in 18 bits, so that all zeros are a line that is not known; the
+    /// number of the chunk, in 12 bits; [`Line::FLAT`] and [`Line::ONE`].
     place: u32,
 }
 
