@@ -8,7 +8,7 @@ use anyhow::{Result, ensure};
 use command_line::Quality;
 
 use crate::measure::outcome::Report;
-use crate::measure::{Core, Scene, Size, firmware, task, words};
+use crate::measure::{Core, Scene, Size, firmware, task};
 
 const LIMIT: Duration = Duration::from_secs(60 * 60);
 
@@ -53,9 +53,9 @@ impl Sweep {
     /// Builds for the same target run one after another.
     pub fn run(&self, mut counted: impl FnMut(Count)) -> Result<()> {
         let ticket = self.ticket();
-        let file = self.scenes.first().and_then(|(scene, _)| scene.source());
         let job = |file: &Path| self.job(file, ticket);
-        let program = firmware::build_sweep((self.core, self.size), file, job)?;
+        let file = self.scenes.first().and_then(|(scene, _)| scene.source());
+        let program = firmware::build_sweep(self.core, self.size, file, job)?;
         let emulator = self.core.counting_emulator().limit(LIMIT);
         let mut running = emulator.boot(&program)?;
         let runs = self.scenes.iter().flat_map(|(_, settings)| settings);
@@ -79,7 +79,7 @@ impl Sweep {
     /// Returns a number that identifies the task. The firmware sends it with every report.
     fn ticket(&self) -> u64 {
         let mut hasher = DefaultHasher::new();
-        (self.core.name, words(self.size)).hash(&mut hasher);
+        self.core.name.hash(&mut hasher);
         for (scene, settings) in &self.scenes {
             (scene.name(), settings).hash(&mut hasher);
         }

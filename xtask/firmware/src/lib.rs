@@ -66,7 +66,7 @@ macro_rules! program {
     };
 }
 
-/// Returns the size of the picture, and the part of a row that is as wide.
+/// Returns the size of the picture, and the first pixels of a row: as many as the picture has columns.
 fn sized(row: &mut [Rgb888]) -> ((u32, u32), &mut [Rgb888]) {
     // The compiler must not know it: it changes after the program is linked.
     let [width, height] = *black_box(&SIZE);

@@ -113,19 +113,15 @@ pub(super) fn build(task: &Task) -> Result<Program> {
 fn empty(task: &Task) -> Result<PathBuf> {
     /// As long as any other, so that the code that reports it is the same.
     const TICKET: u64 = 0x0123_4567_89ab_cdef;
-    program(
-        "empty",
-        task.core,
-        None,
-        &task::ticket(TICKET),
-        task.profile,
-    )
+    let source = task::ticket(TICKET);
+    program("empty", task.core, None, &source, task.profile)
 }
 
 /// The firmware that goes through several scenes and settings; `job` makes its source of the place where the source
 /// of a file's scene, `scene`, lies.
 pub(crate) fn build_sweep(
-    (core, size): (&Core, Size),
+    core: &Core,
+    size: Size,
     scene: Option<&str>,
     job: impl FnOnce(&Path) -> String,
 ) -> Result<PathBuf> {
@@ -189,11 +185,8 @@ fn program(
     };
     let chosen = [profile.arguments, &["--bin", name], features].concat();
     ledger::timed("build", &title, || compile(core, &source, &chosen))?;
-    let built = place.target.join(core.target);
-    images::keep(
-        &images::read(&built.join(profile.folder).join(name))?,
-        &program,
-    )?;
+    let built = place.target.join(core.target).join(profile.folder);
+    images::keep(&images::read(&built.join(name))?, &program)?;
     Ok(program)
 }
 

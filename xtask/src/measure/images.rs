@@ -4,12 +4,13 @@
 use std::{
     fs,
     hash::{DefaultHasher, Hash, Hasher},
+    io::Write,
     path::{Path, PathBuf},
-    process,
     sync::{Mutex, OnceLock, PoisonError},
 };
 
 use anyhow::{Context, Result};
+use tempfile::NamedTempFile;
 
 use crate::{command::Program, root, toolchain};
 
@@ -36,12 +37,13 @@ pub fn read(program: &Path) -> Result<Vec<u8>> {
     fs::read(program).with_context(|| format!("cannot read {}", program.display()))
 }
 
-/// Keeps a program at a place, whole or not at all.
+/// Keeps a program at a place, whole or not at all. Several threads and processes may keep the same.
 pub fn keep(program: &[u8], place: &Path) -> Result<()> {
-    let half = place.with_extension(format!("{}.part", process::id()));
-    fs::write(&half, program)
-        .and_then(|()| fs::rename(&half, place))
-        .with_context(|| format!("cannot keep {}", place.display()))
+    let cannot = || format!("cannot keep {}", place.display());
+    let mut file = NamedTempFile::new_in(folder()?).with_context(cannot)?;
+    file.write_all(program).with_context(cannot)?;
+    file.persist(place).with_context(cannot)?;
+    Ok(())
 }
 
 /// The folder of the images of the sources as they are now.
