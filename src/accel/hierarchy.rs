@@ -123,8 +123,10 @@ impl Hierarchy<'_> {
                     (node, above) = (2 * node, above - 1);
                     continue;
                 }
-                if ball.shapes.into_iter().any(|shape| ask(shape.into())) {
-                    return true;
+                for shape in ball.shapes {
+                    if ask(shape.into()) {
+                        return true;
+                    }
                 }
             }
             node += 1;

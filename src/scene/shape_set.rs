@@ -85,8 +85,14 @@ impl ShapeSet {
         mut ask: impl FnMut(usize, &'a T) -> bool,
     ) -> bool {
         if !is_chosen {
-            let mut shapes = shapes.iter().enumerate();
-            return shapes.any(|(index, shape)| ask(index, shape));
+            let mut index = 0;
+            while let Some(shape) = shapes.get(index) {
+                if ask(index, shape) {
+                    return true;
+                }
+                index += 1;
+            }
+            return false;
         }
         let layout = SetLayout::new(lengths);
         let (start, end) = (layout.starts[kind], layout.starts[kind + 1]);
@@ -111,9 +117,12 @@ impl ShapeSet {
                 let run = first + rest.trailing_zeros() as usize;
                 rest &= rest - 1;
                 // The last run of a kind may have indices past the last shape.
-                let mut run = run * layout.run..(run + 1) * layout.run;
-                if run.any(|index| shapes.get(index).is_some_and(|shape| ask(index, shape))) {
-                    return true;
+                for index in run * layout.run..(run + 1) * layout.run {
+                    if let Some(shape) = shapes.get(index) {
+                        if ask(index, shape) {
+                            return true;
+                        }
+                    }
                 }
             }
         }
