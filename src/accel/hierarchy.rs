@@ -123,10 +123,8 @@ impl Hierarchy<'_> {
                     (node, above) = (2 * node, above - 1);
                     continue;
                 }
-                for shape in ball.shapes {
-                    if ask(shape.into()) {
-                        return true;
-                    }
+                if ball.shapes.into_iter().any(|shape| ask(shape.into())) {
+                    return true;
                 }
             }
             node += 1;

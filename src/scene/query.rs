@@ -141,10 +141,8 @@ pub(crate) fn occluded_by<W: SceneAccess>(
     let epsilon = world.parts().epsilon;
     let own = epsilon.to_bits() >> scale.min(31);
     let reach = Length::from_bits((distance.to_bits() - own).max(0));
-    for (_, plane) in planes::others(world, skip) {
-        if plane.blocks(ray, reach, scale) {
-            return true;
-        }
+    if planes::others(world, skip).any(|(_, plane)| plane.blocks(ray, reach, scale)) {
+        return true;
     }
     if !world.parts().has_bounded() {
         return false;

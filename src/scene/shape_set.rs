@@ -56,10 +56,7 @@ impl ShapeSet {
         mut call: impl FnMut(usize, &'a T),
     ) {
         let layout = SetLayout::new(lengths);
-        let (start, end) = (layout.starts[kind], layout.starts[kind + 1]);
-        let after = 1_u64.checked_shl(to_u32(end - start));
-        let mut rest = self.0.checked_shr(to_u32(start)).unwrap_or(0);
-        rest &= after.map_or(u64::MAX, |after| after - 1);
+        let mut rest = self.bits(&layout, kind);
         while rest != 0 {
             let run = rest.trailing_zeros() as usize * layout.run;
             rest &= rest - 1;
@@ -69,6 +66,18 @@ impl ShapeSet {
                 }
             }
         }
+    }
+
+    /// Returns the bits of the shapes of one kind, from the lowest bit on.
+    #[inline(always)]
+    fn bits(&self, layout: &SetLayout, kind: usize) -> u64 {
+        let (start, end) = (layout.starts[kind], layout.starts[kind + 1]);
+        let all = match layout.starts[KINDS] <= 32 {
+            true => low_word(self.0).into(),
+            false => self.0,
+        };
+        let after = 1_u64.checked_shl(to_u32(end - start));
+        all.checked_shr(to_u32(start)).unwrap_or(0) & after.map_or(u64::MAX, |after| after - 1)
     }
 
     /// Calls `ask` for each shape of one kind in the set, in ascending order, until it returns `true`.
@@ -95,22 +104,7 @@ impl ShapeSet {
             return false;
         }
         let layout = SetLayout::new(lengths);
-        let (start, end) = (layout.starts[kind], layout.starts[kind + 1]);
-        if start == end {
-            return false;
-        }
-        let is_one_word = layout.starts[KINDS] <= 32;
-        let all = match is_one_word {
-            true => low_word(self.0).into(),
-            false => self.0,
-        };
-        let mut bits = all.checked_shr(to_u32(start)).unwrap_or(0);
-        // Bits after the last shape stand for none. In one word, clearing them takes less time than
-        // testing for it.
-        if end < layout.starts[KINDS] || is_one_word {
-            let low = 1_u64.checked_shl(to_u32(end - start));
-            bits &= low.map_or(u64::MAX, |end| end - 1);
-        }
+        let bits = self.bits(&layout, kind);
         for (word, first) in [(low_word(bits), 0), (low_word(bits >> 32), 32)] {
             let mut rest = word;
             while rest != 0 {

@@ -3,10 +3,12 @@
 
 pub(crate) mod highlight;
 mod smooth;
+mod visibility;
 
 pub(crate) use smooth::{Glance, Samples, begins_sharply, is_little};
 
 pub use highlight::{BlinnPhong, Normals, Phong, Shading, Unshadowed};
+pub use visibility::Visibility;
 
 use highlight::{Cosines, Highlight};
 
@@ -23,55 +25,6 @@ use crate::vector::Direction;
 pub trait LightQuality {
     /// Whether light is computed to 2⁻²⁶ of white, and shadows are exact where shapes touch.
     const IS_PRECISE: bool;
-}
-
-/// Tells which lights are visible from a surface.
-pub trait Visibility {
-    /// A light with the tables that belong to it.
-    type Light;
-
-    /// Returns all lights of the scene.
-    fn lights(&self) -> &[Self::Light];
-
-    /// Returns the light without its tables.
-    fn light(light: &Self::Light) -> &PreparedLight;
-
-    /// Tests whether a light is hidden from all surfaces of the frame. `index` is the light's index.
-    fn is_hidden(&self, index: usize) -> bool;
-
-    /// Tests whether [`Visibility::is_occluded_from`] may be used for a light. `index` is the light's
-    /// index.
-    fn is_clear(&self, index: usize) -> bool;
-
-    /// Tests whether a bounded shape occludes a near surface from a clear light. No plane does.
-    ///
-    /// `direction` and `distance` lead from the light to the surface. `light` is the light and its
-    /// index.
-    fn is_occluded_from<const PRECISE: bool>(
-        &self,
-        surface: &Surface<'_>,
-        light: (&Self::Light, usize),
-        ray: (Direction, Length),
-    ) -> bool;
-
-    /// Tests whether no plane hides a far light from any surface of the frame. `index` is the light's index.
-    fn is_open(&self, index: usize) -> bool;
-
-    /// Tests whether a bounded shape lies ahead of a ray that leaves a near surface: whether it hides an
-    /// open far light in this direction.
-    fn is_occluded_ahead(&self, surface: &Surface<'_>, direction: Direction) -> bool;
-
-    /// Tests whether any shape lies between a surface and a light. `index` is the light's index.
-    ///
-    /// `ray` leads from the surface to the light. `light` is the light's position, its distance in
-    /// steps of 2ˢᶜᵃˡᵉ, and the scale.
-    fn is_occluded(
-        &self,
-        surface: &Surface<'_>,
-        ray: &ScaledRay,
-        index: usize,
-        light: (ScaledPoint, Length, u32),
-    ) -> bool;
 }
 
 /// The colour of a surface without reflections, and the lights that shine on it.
@@ -146,7 +99,9 @@ impl<const PRECISE: bool> Received<PRECISE> {
         visibility: &V,
         (light, index): (&V::Light, usize),
     ) {
-        let strength = if visibility.is_clear(index) && surface.place.is_near() {
+        let strength = if !V::IS_KNOWN {
+            strength::<W, V, H>(world, surface, visibility, (light, index))
+        } else if visibility.is_clear(index) && surface.place.is_near() {
             near_strength::<W, V, H, PRECISE>(world, surface, visibility, (light, index))
         } else if H::SHADOWS && visibility.is_hidden(index) {
             return;

@@ -47,6 +47,7 @@ impl<'a, W: World, Q: CullingQuality> Plain<'a, W, Q> {
 
 impl<W: World, Q: CullingQuality> Visibility for Plain<'_, W, Q> {
     type Light = PreparedLight;
+    const IS_KNOWN: bool = false;
 
     #[inline(always)]
     fn lights(&self) -> &[PreparedLight] {
@@ -56,36 +57,6 @@ impl<W: World, Q: CullingQuality> Visibility for Plain<'_, W, Q> {
     #[inline(always)]
     fn light(light: &PreparedLight) -> &PreparedLight {
         light
-    }
-
-    #[inline(always)]
-    fn is_hidden(&self, _: usize) -> bool {
-        false
-    }
-
-    #[inline(always)]
-    fn is_clear(&self, _: usize) -> bool {
-        false
-    }
-
-    #[inline(always)]
-    fn is_occluded_from<const PRECISE: bool>(
-        &self,
-        _: &Surface<'_>,
-        _: (&PreparedLight, usize),
-        _: (Direction, Length),
-    ) -> bool {
-        false
-    }
-
-    #[inline(always)]
-    fn is_open(&self, _: usize) -> bool {
-        false
-    }
-
-    #[inline(always)]
-    fn is_occluded_ahead(&self, _: &Surface<'_>, _: Direction) -> bool {
-        false
     }
 
     #[inline(always)]
@@ -129,6 +100,7 @@ impl<'a, W, Q> Culled<'a, W, Q> {
 
 impl<W: World, Q: CullingQuality> Visibility for Culled<'_, W, Q> {
     type Light = LightOccluders<W::Room>;
+    const IS_KNOWN: bool = true;
 
     #[inline(always)]
     fn lights(&self) -> &[LightOccluders<W::Room>] {
