@@ -105,8 +105,7 @@ impl ShapeSet {
         }
         let layout = SetLayout::new(lengths);
         let bits = self.bits(&layout, kind);
-        for (word, first) in [(low_word(bits), 0), (low_word(bits >> 32), 32)] {
-            let mut rest = word;
+        for (mut rest, first) in [(low_word(bits), 0), (low_word(bits >> 32), 32)] {
             while rest != 0 {
                 let run = first + rest.trailing_zeros() as usize;
                 rest &= rest - 1;

@@ -105,7 +105,11 @@ impl<const PRECISE: bool> Received<PRECISE> {
             near_strength::<W, V, H, PRECISE>(world, surface, visibility, (light, index))
         } else if H::SHADOWS && visibility.is_hidden(index) {
             return;
-        } else if is_far_and_open::<W, V>(visibility, (light, index)) && surface.place.is_near() {
+        } else if W::NEEDS.far_lights
+            && visibility.is_open(index)
+            && !V::light(light).place.is_near()
+            && surface.place.is_near()
+        {
             far_strength::<W, V, H>(world, surface, visibility, light)
         } else {
             strength::<W, V, H>(world, surface, visibility, (light, index))
@@ -141,15 +145,6 @@ fn near_strength<W: SceneAccess, V: Visibility, H: Highlight, const PRECISE: boo
     }
     let sent = sent_on::<W, H>(world, surface, back, cosine);
     weakened::<W>(V::light(light), sent, (distance, 0))
-}
-
-/// Tests whether a light is far and no plane hides it from any surface.
-#[inline(always)]
-fn is_far_and_open<W: SceneAccess, V: Visibility>(
-    visibility: &V,
-    (light, index): (&V::Light, usize),
-) -> bool {
-    W::NEEDS.far_lights && visibility.is_open(index) && !V::light(light).place.is_near()
 }
 
 /// Returns how much of an open far light a near surface sends to the viewer. Returns 0 if the light is
