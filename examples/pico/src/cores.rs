@@ -50,6 +50,9 @@ impl Cores {
 
     /// Draws a view, whose prepared picture on this core is `rows`, with both cores by turns. The first
     /// row of each area covers it. Ends as soon as `stop` returns something, and returns that.
+    ///
+    /// The second core is asked for a row one turn before the row is shown. So no core waits for the other
+    /// where their rows take longer by turns.
     pub fn draw<T>(
         &mut self,
         (view, rows): (&View, &dyn Rows),
@@ -59,14 +62,11 @@ impl Cores {
     ) -> Option<T> {
         let mut line = Line::BLACK;
         let mut stopped = None;
-        while let (None, Some(area)) = (&stopped, areas.next()) {
-            let other = areas.next();
-            if let (Some(second), Some(other)) = (&mut self.second, &other) {
-                second.ask(*view, other.start);
-            }
+        let mut turn = self.next_turn(view, &mut areas);
+        while let (None, [Some(area), other]) = (&stopped, turn.clone()) {
+            turn = self.next_turn(view, &mut areas);
             rows.row(area.start, &mut line);
             screen.show(area, &line);
-            // The second core may still trace.
             stopped = stop();
             if let Some(other) = other {
                 match &mut self.second {
@@ -78,8 +78,25 @@ impl Cores {
                 }
             }
         }
+        if let (Some(second), [_, Some(_)]) = (&mut self.second, turn) {
+            // The second core still traces a row that nobody will see.
+            second.answer();
+        }
         screen.send();
         stopped
+    }
+
+    /// Returns the areas of the next turn: one for each core. Asks the second core for its own.
+    fn next_turn(
+        &mut self,
+        view: &View,
+        areas: &mut impl Iterator<Item = Range<u32>>,
+    ) -> [Option<Range<u32>>; 2] {
+        let turn = [areas.next(), areas.next()];
+        if let (Some(second), [_, Some(other)]) = (&mut self.second, &turn) {
+            second.ask(*view, other.start);
+        }
+        turn
     }
 }
 
@@ -91,9 +108,9 @@ struct Second {
 
 impl Second {
     fn start(psm: &mut PSM, ppb: &mut PPB, fifo: &mut SioFifo) -> Option<Self> {
-        // A queue holds one item less than its capacity.
-        let questions = singleton!(: Queue<(View, u32), 2> = Queue::new())?;
-        let answers = singleton!(: Queue<Line, 2> = Queue::new())?;
+        // One row is awaited and one is asked for. A queue holds one item less than its capacity.
+        let questions = singleton!(: Queue<(View, u32), 3> = Queue::new())?;
+        let answers = singleton!(: Queue<Line, 3> = Queue::new())?;
         let (questions, asked) = questions.split();
         let (answered, answers) = answers.split();
         let mut cores = Multicore::new(psm, ppb, fifo);
