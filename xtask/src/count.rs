@@ -150,7 +150,7 @@ mod tests {
 
     const MOST_CODE: usize = 19_756;
 
-    const MOST_OUTSIDE: usize = 37_072;
+    const MOST_OUTSIDE: usize = 37_069;
 
     /// Most packages that a newcomer's first command compiles.
     const MOST_PACKAGES: usize = 62;

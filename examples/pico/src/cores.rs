@@ -51,8 +51,7 @@ impl Cores {
     /// Draws a view, whose prepared picture on this core is `rows`, with both cores by turns. The first
     /// row of each area covers it. Ends as soon as `stop` returns something, and returns that.
     ///
-    /// The second core is asked for a row one turn before the row is shown. So no core waits for the other
-    /// where their rows take longer by turns.
+    /// The second core is asked a turn ahead, so that neither waits for the other after each pair of rows.
     pub fn draw<T>(
         &mut self,
         (view, rows): (&View, &dyn Rows),
@@ -70,17 +69,15 @@ impl Cores {
             stopped = stop();
             if let Some(other) = other {
                 match &mut self.second {
-                    Some(second) => screen.show(other, &second.answer()),
-                    None => {
-                        rows.row(other.start, &mut line);
-                        screen.show(other, &line);
-                    }
+                    Some(second) => line = awaited(&mut second.answers),
+                    None => rows.row(other.start, &mut line),
                 }
+                screen.show(other, &line);
             }
         }
         if let (Some(second), [_, Some(_)]) = (&mut self.second, turn) {
-            // The second core still traces a row that nobody will see.
-            second.answer();
+            // A row that nobody will see.
+            awaited(&mut second.answers);
         }
         screen.send();
         stopped
@@ -94,7 +91,8 @@ impl Cores {
     ) -> [Option<Range<u32>>; 2] {
         let turn = [areas.next(), areas.next()];
         if let (Some(second), [_, Some(other)]) = (&mut self.second, &turn) {
-            second.ask(*view, other.start);
+            let is_asked = second.questions.enqueue((*view, other.start)).is_ok();
+            assert!(is_asked, "every row is awaited");
         }
         turn
     }
@@ -122,26 +120,11 @@ impl Second {
             .ok()?;
         Some(Self { questions, answers })
     }
-
-    fn ask(&mut self, view: View, y: u32) {
-        assert!(
-            self.questions.enqueue((view, y)).is_ok(),
-            "every row is awaited"
-        );
-    }
-
-    fn answer(&mut self) -> Line {
-        loop {
-            if let Some(row) = self.answers.dequeue() {
-                return row;
-            }
-        }
-    }
 }
 
 /// Runs on the second core, for ever: prepares each view once and traces its rows.
 fn answer_all(mut asked: Consumer<'static, (View, u32)>, mut answered: Producer<'static, Line>) {
-    let mut question = next(&mut asked);
+    let mut question = awaited(&mut asked);
     loop {
         let (view, _) = question;
         question = view.with_rows(|rows| answer_about(rows, question, &mut asked, &mut answered));
@@ -159,7 +142,7 @@ fn answer_about(
     loop {
         rows.row(y, &mut line);
         assert!(answered.enqueue(line).is_ok(), "every row is fetched");
-        let question = next(asked);
+        let question = awaited(asked);
         if question.0 != view {
             return question;
         }
@@ -167,11 +150,11 @@ fn answer_about(
     }
 }
 
-/// Waits for the next question.
-fn next(asked: &mut Consumer<'static, (View, u32)>) -> (View, u32) {
+/// Waits for the next item.
+fn awaited<T>(items: &mut Consumer<'static, T>) -> T {
     loop {
-        if let Some(question) = asked.dequeue() {
-            return question;
+        if let Some(item) = items.dequeue() {
+            return item;
         }
     }
 }
