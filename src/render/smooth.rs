@@ -159,9 +159,9 @@ impl<'a, S: Drawable, Q: Quality, K: Shading> Rows<'a, S, Q, K> {
         let eye = tracer.visibility.from.point;
         let width = self.sides()[0];
         // From a far camera, shapes are small.
-        let edge = generator.row_plane_below((y, 0), eye);
+        let edge = || generator.row_plane_below((y, 0), eye);
         let is_divided = Walker::<S::World<'a>, K, Q>::MAY_DIVIDE
-            && (!tracer.is_near() || shows_thin(tracer.world, &edge, width));
+            && (!tracer.is_near() || shows_thin(tracer.world, &edge(), width));
         let first = x & !(CHUNK - 1);
         let mut colors = SmoothColors {
             walker: Walker {

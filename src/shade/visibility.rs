@@ -34,7 +34,7 @@ pub trait Visibility {
 
     /// Tests whether a bounded shape occludes a near surface from a clear light. No plane does.
     ///
-    /// `direction` and `distance` lead from the light to the surface. `light` is the light and its
+    /// The ray is the direction and the distance from the light to the surface. The light comes with its
     /// index.
     fn is_occluded_from<const PRECISE: bool>(
         &self,

@@ -76,7 +76,7 @@ impl Cores {
             }
         }
         if let (Some(second), [_, Some(_)]) = (&mut self.second, turn) {
-            // A row that nobody will see.
+            // Its last row is awaited, though nobody will see it.
             awaited(&mut second.answers);
         }
         screen.send();
