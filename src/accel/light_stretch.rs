@@ -11,7 +11,7 @@ use crate::number::Length;
 use crate::ray::ScaledPoint;
 use crate::scene::access::ShapeId;
 use crate::scene::shape_set::ShapeSet;
-use crate::shape::bordered::{Ball, Bordered, Fan, Rays, SLACK};
+use crate::shape::bordered::{Ball, Beam, Bordered, Fan, Rays, SLACK};
 use crate::shape::bounded::{Bounded, LightRay, Own};
 use crate::vector::{Direction, Point};
 
@@ -42,8 +42,7 @@ pub(crate) fn lights_all<W: World, Q: CullingQuality>(
     let set = rays_set::<W, Q>(world, index, rays, stretch.bulge);
     let mut found = Found {
         stretch,
-        rays,
-        fan: None,
+        sight: Sight::new(rays, stretch.bulge),
         epsilon: world.parts().epsilon,
         is_unsure: false,
     };
@@ -53,12 +52,48 @@ pub(crate) fn lights_all<W: World, Q: CullingQuality>(
     }
 }
 
+/// The rays from an eye or a light to the points of a stretch.
+struct Sight<'a> {
+    rays: &'a Rays,
+    /// Upper bound of the distance of a point from the straight line between the ends, in steps.
+    bulge: i32,
+    /// All rays as a beam, `None` if they are far or turn much.
+    beam: Option<Beam>,
+    /// The fan of the rays, made when the beam does not tell.
+    fan: Option<Fan>,
+}
+
+impl<'a> Sight<'a> {
+    fn new(rays: &'a Rays, bulge: i32) -> Self {
+        Self {
+            rays,
+            bulge,
+            beam: rays.beam(bulge),
+            fan: None,
+        }
+    }
+
+    /// Tests whether the beam surely avoids a ball.
+    #[inline(always)]
+    fn misses(&self, (center, radius): Ball) -> bool {
+        let way = self.rays.apex.point.to(center);
+        self.beam.is_some_and(|beam| beam.avoids_ball(way, radius))
+    }
+
+    /// Returns the fan of the rays.
+    #[inline(never)]
+    fn fan(&mut self) -> Option<&Fan> {
+        if self.fan.is_none() {
+            self.fan = Fan::new(self.rays, self.bulge);
+        }
+        self.fan.as_ref()
+    }
+}
+
 /// What is known of the shapes between a light and a stretch.
 struct Found<'a> {
     stretch: &'a LitStretch,
-    rays: &'a Rays,
-    /// The fan of the rays, made when it is needed.
-    fan: Option<Fan>,
+    sight: Sight<'a>,
     epsilon: Length,
     /// Whether a shape may hide some points and spare others.
     is_unsure: bool,
@@ -78,7 +113,10 @@ impl Found<'_> {
         if is_own && is_closed {
             return false;
         }
-        let hides = match self.fan() {
+        if self.sight.misses(shape.bounding_ball()) {
+            return false;
+        }
+        let hides = match self.sight.fan() {
             Some(fan) if shape.spares(from, fan) => return false,
             Some(fan) => {
                 let fan = *fan;
@@ -90,23 +128,10 @@ impl Found<'_> {
         hides
     }
 
-    /// Returns the fan of the light's rays.
-    #[inline(never)]
-    fn fan(&mut self) -> Option<&Fan> {
-        if self.fan.is_none() {
-            self.fan = Fan::new(self.rays, self.stretch.bulge);
-        }
-        self.fan.as_ref()
-    }
-
     /// Tests whether a shape hides both ends of the stretch.
     fn hides_ends<K: Bordered>(&self, shape: &K, from: &<K as Bounded>::FromLight) -> bool {
-        let mut ends = self
-            .rays
-            .places
-            .iter()
-            .zip(self.rays.ends)
-            .zip(self.rays.reaches);
+        let rays = self.sight.rays;
+        let mut ends = rays.places.iter().zip(rays.ends).zip(rays.reaches);
         ends.all(|((end, direction), reach)| {
             let ray = LightRay {
                 direction,
@@ -176,18 +201,19 @@ macro_rules! any_hides {
         /// stretch shows.
         #[inline(never)]
         pub(crate) fn is_clear_way<W: World>(world: &W, eye: Point, stretch: &LitStretch) -> bool {
-            let apex = ScaledPoint::at(eye);
-            let thickness = stretch.bulge + stretch.slack;
-            let Some(fan) = Fan::new(&Rays::new(apex, stretch.ends), thickness) else {
-                return false;
-            };
+            let rays = Rays::new(ScaledPoint::at(eye), stretch.ends);
+            let mut sight = Sight::new(&rays, stretch.bulge + stretch.slack);
             let parts = world.parts();
             let first = 0;
             $(
                 let is_clear = parts.$list.iter().enumerate().all(|(index, shape)| {
+                    let (center, radius) = shape.bounding_ball();
                     stretch.shape == ShapeId::at(first + index)
-                        || fan.avoids_ball(eye.to(shape.bounding_ball().0), shape.bounding_ball().1)
-                        || shape.spares(&shape.seen_from_light(eye), &fan)
+                        || sight.misses((center, radius))
+                        || sight.fan().is_some_and(|fan| {
+                            fan.avoids_ball(eye.to(center), radius)
+                                || shape.spares(&shape.seen_from_light(eye), fan)
+                        })
                 });
                 if !is_clear {
                     return false;

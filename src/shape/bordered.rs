@@ -5,7 +5,8 @@ use core::fmt::Debug;
 
 use super::bounded::Bounded;
 use crate::number::{
-    Length, Unit, narrowed_unsigned, ratio, signed, square_root, unsigned, unsigned_wide, wide,
+    Length, Unit, narrowed_unsigned, ratio, scaled_by_unit, signed, square_root, unsigned,
+    unsigned_wide, wide,
 };
 use crate::ray::{Cut, Line, REACH, RowPlane, ScaledPoint, Shadows, Span};
 use crate::vector::{Direction, Point, Vector};
@@ -68,6 +69,8 @@ pub struct Rays {
     pub(crate) ends: [Direction; 2],
     /// Distances from the apex to the two places, in steps; [`REACH`] if they are far.
     pub(crate) reaches: [Length; 2],
+    /// Length of the difference of the two directions; 1 if they are a right angle apart, or more.
+    pub(crate) turn: Unit,
 }
 
 impl Rays {
@@ -83,14 +86,23 @@ impl Rays {
             places,
             ends: [one.0, other.0],
             reaches: [one.1, other.1],
+            turn: turn_between(one.0, other.0),
         }
     }
 
-    /// Returns the length of the difference of the two directions; 1 if they are a right angle apart, or more.
-    pub(crate) fn turn(&self) -> Unit {
-        let [first, last] = self.ends;
-        let square = first.change_to(last).map(Vector::square);
-        square.map_or(Unit::ONE, |square| Unit::from_bits(square_root(square)))
+    /// Returns the beam of all rays to a curve that is at most `bulge` steps away from the straight line between the
+    /// places. `None` if a place is far, or if the rays turn by more than 20 degrees.
+    pub(crate) fn beam(&self, bulge: i32) -> Option<Beam> {
+        let [first, _] = self.ends;
+        let reach = self.reaches[0].max(self.reaches[1]);
+        (reach < REACH && self.turn <= WIDEST_BEAM).then(|| {
+            let width = scaled_by_unit(reach.to_bits(), self.turn) + bulge + SLACK;
+            Beam {
+                first,
+                width,
+                end: reach.to_bits().saturating_add(width),
+            }
+        })
     }
 
     /// Returns by how much a coordinate of a direction between the two may exceed theirs.
@@ -108,6 +120,35 @@ impl Rays {
             false => Unit::ONE.to_bits(),
         };
         Unit::from_bits(aside + signed(narrowed_unsigned(chord)))
+    }
+}
+
+/// Returns the length of the difference of two directions; 1 if they are a right angle apart, or more.
+pub(crate) fn turn_between(first: Direction, last: Direction) -> Unit {
+    let square = first.change_to(last).map(Vector::square);
+    square.map_or(Unit::ONE, |square| Unit::from_bits(square_root(square)))
+}
+
+/// All rays from a point, the apex, to a curve, as one thick ray.
+#[derive(Clone, Copy, Debug)]
+pub struct Beam {
+    /// Direction of one of the rays.
+    first: Direction,
+    /// Upper bound of the distance of the rays from the first one, in steps.
+    width: i32,
+    /// Upper bound of how far the rays lead, in steps: their length and `width`.
+    end: i32,
+}
+
+/// Length of the difference of two directions up to which there is a beam: about 20 degrees.
+const WIDEST_BEAM: Unit = Unit::from_bits(3 << 27);
+
+impl Beam {
+    /// Tests whether no ray surely meets a ball. `way` is the vector from the apex to its centre.
+    #[inline(always)]
+    pub(crate) fn avoids_ball(&self, way: Vector, radius: i32) -> bool {
+        let along = way.dot(self.first);
+        along > self.end.saturating_add(radius) || way.passes_by(along, radius + self.width)
     }
 }
 

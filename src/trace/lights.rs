@@ -55,13 +55,13 @@ impl<W: World, K: Shading, Q: PathQuality> Tracer<'_, W, K, Q> {
         }
         let rays = Rays::new(place, shown.lit.ends);
         let has_highlight = W::NEEDS.highlights && shown.material.specular > Brightness::ZERO;
-        if rays.turn() >= Unit::ONE
+        if rays.turn >= Unit::ONE
             || shown.turn > LARGEST_TURN && shown.is_grazed()
             || has_highlight && !is_flat && shown.may_turn_away(&rays)
         {
             return Samples::All;
         }
-        let samples = match rays.turn().max(shown.turn) > LARGEST_TURN {
+        let samples = match rays.turn.max(shown.turn) > LARGEST_TURN {
             true => Samples::Five,
             false => Samples::Three,
         };

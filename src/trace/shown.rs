@@ -145,7 +145,7 @@ impl Shown<'_> {
             true => Samples::Five,
             false => Samples::Three,
         };
-        let turns = [self.turn.to_bits(), rays.turn().to_bits(), view];
+        let turns = [self.turn.to_bits(), rays.turn.to_bits(), view];
         match bend_of_highlight(turns, self.circle) {
             Some(bend) => {
                 let bend = bend << (2 * K::TURNS);
@@ -201,7 +201,7 @@ impl Shown<'_> {
             return false;
         }
         let [first, _] = rays.ends;
-        let light = rays.turn().to_bits();
+        let light = rays.turn.to_bits();
         let [normal, _] = self.normals;
         // Half of each, so that sums fit.
         let moves = (light >> 1) + ratio(unsigned(radius), unsigned(distance));

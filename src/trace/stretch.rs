@@ -153,7 +153,7 @@ impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
     ) -> bool {
         if self.has_sky() {
             let rays = Rays::new(ScaledPoint::ORIGIN, stops.map(|stop| stop.place));
-            let turn = rays.turn();
+            let turn = rays.turn;
             if turn > LARGEST_TURN || !self.world.parts().keeps_discs(rays.ends, turn) {
                 return false;
             }

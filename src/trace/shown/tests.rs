@@ -1,5 +1,5 @@
 use super::*;
-use crate::number::Length;
+use crate::shape::bordered::turn_between;
 use crate::vector::Vector;
 
 /// Opposite directions along an axis, each a few last places longer than one.
@@ -64,12 +64,6 @@ fn highlight_has_no_bound_where_everything_turns_by_sixty_degrees() {
 
 #[test]
 fn light_between_two_places_turns_too_much() {
-    let places = [ScaledPoint::ORIGIN; 2];
-    let rays = Rays {
-        apex: ScaledPoint::ORIGIN,
-        places,
-        ends: opposite(),
-        reaches: [Length::from_bits(1 << 20); 2],
-    };
-    assert_eq!(rays.turn(), Unit::ONE);
+    let [first, last] = opposite();
+    assert_eq!(turn_between(first, last), Unit::ONE);
 }

@@ -8,7 +8,7 @@ use crate::shape::fixture::fans::{any_fan, segment_distance};
 #[test]
 fn sphere_spares_and_hides_whole_fans() {
     let mut sweep = Sweep::new(51);
-    let (mut spared, mut hidden, mut before) = (0, 0, 0);
+    let (mut spared, mut hidden, mut before, mut passed) = (0, 0, 0, 0);
     for _ in 0..60_000 {
         let radius = sweep.octaves(8, 25);
         let center = sweep.triple(1 << 26);
@@ -22,13 +22,18 @@ fn sphere_spares_and_hides_whole_fans() {
         let hides = are_met[0] && are_met[8] && sphere.hides(&from, &lit.fan);
         let spares = sphere.spares(&from, &lit.fan);
         assert!(!spares || !are_met.contains(&true), "{sphere:?} {lit:?}");
+        let passes = lit
+            .beam
+            .is_some_and(|beam| beam.avoids_ball(from.way, radius));
+        assert!(!passes || !are_met.contains(&true), "{sphere:?} {lit:?}");
         assert!(!hides || !are_met.contains(&false), "{sphere:?} {lit:?}");
         spared += u32::from(spares);
         hidden += u32::from(hides);
+        passed += u32::from(passes);
         before += u32::from(spares && !lit.fan.avoids_ball(from.way, radius));
     }
     assert!(
-        spared > 10_000 && hidden > 2_000 && before > 300,
-        "{spared} {hidden} {before}"
+        spared > 10_000 && hidden > 2_000 && before > 300 && passed > 5_000,
+        "{spared} {hidden} {before} {passed}"
     );
 }
