@@ -5,6 +5,7 @@
 
 use super::active_list::{ActiveList, ActiveShape, Storage};
 use super::active_lists::{ActiveLists, ActiveRoom};
+use crate::number::root_of_square;
 use crate::ray::{ANY_COLUMN, Span};
 use crate::scene::access::{SceneAccess, ShapeId};
 use crate::shape::bordered::{Ball, Bordered};
@@ -22,9 +23,8 @@ pub(crate) struct Stretch<'a> {
     /// Where all points of the shape lie that the stretch can show. `None` if they are not near, or if
     /// nothing is hit.
     pub(crate) chord: Option<Chord>,
-    /// Upper bound of the distance from the eye to these points, in steps. `None` if the shape is hit from
-    /// inside.
-    pub(crate) reach: Option<i32>,
+    /// The eye. `None` if the shape is hit from inside, or if nothing is hit.
+    pub(crate) outside: Option<Point>,
     /// The plane that mirrored the rays.
     pub(crate) mirror: Option<&'a PreparedPlane>,
 }
@@ -36,9 +36,18 @@ pub(crate) struct Chord {
     pub(crate) ends: [Point; 2],
     /// Upper bound of the distance of a point from the line, in steps.
     pub(crate) bulge: i32,
+    /// What rounding and epsilon may add to the distance from the eye, in steps.
+    pub(crate) slack: i32,
 }
 
 impl Chord {
+    /// Returns an upper bound of the distance from the eye to the points, in steps. The curve is not further from the eye
+    /// than its chord.
+    fn reach(&self, eye: Point) -> i32 {
+        let [one, other] = self.ends.map(|end| root_of_square(eye.to(end).square()));
+        one.max(other) + self.slack
+    }
+
     /// Tests whether a ball surely holds no point of the chord.
     pub(crate) fn misses(&self, (center, radius): Ball) -> bool {
         is_apart(self.ends, center, radius + self.bulge)
@@ -255,7 +264,7 @@ impl<K: Bordered> ActiveShape<'_, K> {
 
     /// Tests whether the shape begins and ends behind the surface that the stretch shows.
     fn begins_behind<W: SceneAccess>(&self, stretch: &Stretch<'_>) -> bool {
-        let (Some(reach), Some(_)) = (stretch.reach, &stretch.chord) else {
+        let (Some(eye), Some(chord)) = (stretch.outside, &stretch.chord) else {
             return false;
         };
         // An end that cuts a closed shape shows that the shape is behind there.
@@ -266,6 +275,6 @@ impl<K: Bordered> ActiveShape<'_, K> {
             && stretch.mirror.is_none_or(|mirror| {
                 Body::Plane(mirror).is_apart_from::<W>(self.shape.bounding_ball())
             });
-        is_seen || self.shape.outline_distance(&self.from) > reach
+        is_seen || self.shape.outline_distance(&self.from) > chord.reach(eye)
     }
 }

@@ -9,7 +9,7 @@ use super::stops::Stop;
 use super::{PathQuality, Stops, Tracer};
 use crate::accel::stretch::{Body, Chord, Stretch};
 use crate::accel::{LitStretch, Window, World, is_clear_way};
-use crate::number::{Unit, root_of_square};
+use crate::number::Unit;
 use crate::ray::ScaledPoint;
 use crate::scene::access::ShapeId;
 use crate::scene::surface::checker_of;
@@ -164,7 +164,7 @@ impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
                 shape: ShapeId::NONE,
                 body: Body::None,
                 chord: None,
-                reach: None,
+                outside: None,
                 mirror: origin.mirror.map(|(_, plane)| plane),
             };
             return self.keeps(between, origin, &stretch, proved);
@@ -191,10 +191,6 @@ impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
         let shape = shown.lit.shape;
         let ball = || parts.ball(shape.index()).map(|(ball, _)| Body::Ball(ball));
         let body = parts.plane(shape).map(Body::Plane).or_else(ball);
-        // The curve is not further from the eye than its chord.
-        let [one, other] =
-            stops.map(|stop| root_of_square(origin.eye.to(stop.place.point).square()));
-        let reach = one.max(other) + shown.lit.slack;
         let stretch = Stretch {
             columns: between.1,
             shape,
@@ -203,8 +199,9 @@ impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
                 ball,
                 ends: stops.map(|stop| stop.place.point),
                 bulge: shown.lit.bulge + shown.lit.slack,
+                slack: shown.lit.slack,
             }),
-            reach: (!shown.lit.is_hollow).then_some(reach),
+            outside: (!shown.lit.is_hollow).then_some(origin.eye),
             mirror: origin.mirror.map(|(_, plane)| plane),
         };
         self.keeps(between, origin, &stretch, proved)
