@@ -11,8 +11,9 @@ use crate::number::Length;
 use crate::ray::ScaledPoint;
 use crate::scene::access::ShapeId;
 use crate::scene::shape_set::ShapeSet;
-use crate::shape::bordered::{Ball, Beam, Bordered, Fan, Rays, SLACK};
+use crate::shape::bordered::{Ball, Bordered, Fan};
 use crate::shape::bounded::{Bounded, LightRay, Own};
+use crate::shape::rays::{Beam, Rays, SLACK};
 use crate::vector::{Direction, Point};
 
 /// The points of a surface that a stretch shows.

@@ -11,7 +11,7 @@ use crate::number::{Unit, signed, to_u8, to_u32};
 use crate::ray::ScaledPoint;
 use crate::scene::Parts;
 use crate::scene::shape_set::{SetLayout, ShapeSet};
-use crate::shape::bordered::Rays;
+use crate::shape::rays::Rays;
 use crate::vector::{Direction, Vector};
 
 /// Number of cells of a table.

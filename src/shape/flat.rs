@@ -1,6 +1,7 @@
 //! What flat shapes share: their plane as seen from a point. Knows no outline.
 
-use super::bordered::{Fan, SLACK};
+use super::bordered::Fan;
+use super::rays::SLACK;
 use crate::number::scaled_by_unit;
 use crate::vector::{Direction, Point, Vector};
 

@@ -10,6 +10,7 @@ pub mod disc;
 mod fixture;
 mod flat;
 pub mod plane;
+pub(crate) mod rays;
 pub mod sphere;
 pub mod triangle;
 

@@ -10,7 +10,7 @@ use crate::number::{Brightness, Unit};
 use crate::ray::ScaledPoint;
 use crate::shade::Samples;
 use crate::shade::highlight::sealed::Shading;
-use crate::shape::bordered::Rays;
+use crate::shape::rays::Rays;
 
 impl<W: World, K: Shading, Q: PathQuality> Tracer<'_, W, K, Q> {
     /// Tests whether each light surely shines on a whole stretch or on nothing of it. Raises `samples` to the number of

@@ -13,7 +13,8 @@ use crate::ray::ScaledPoint;
 use crate::scene::access::Parts;
 use crate::shade::highlight::sealed::Shading;
 use crate::shade::{Glance, Samples, begins_sharply, is_little};
-use crate::shape::bordered::{Ball, Rays};
+use crate::shape::bordered::Ball;
+use crate::shape::rays::Rays;
 use crate::vector::{Direction, Point};
 
 /// The surface that a stretch shows.

@@ -15,8 +15,8 @@ use crate::scene::access::ShapeId;
 use crate::scene::surface::checker_of;
 use crate::shade::Samples;
 use crate::shade::highlight::sealed::Shading;
-use crate::shape::bordered::Rays;
 use crate::shape::plane::PreparedPlane;
+use crate::shape::rays::Rays;
 
 /// Pixels between two traced ones: the window of the row, and the columns of the two.
 pub(crate) type Between<'a> = (&'a Window, [u32; 2]);

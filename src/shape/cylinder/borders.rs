@@ -3,7 +3,8 @@
 use super::{CylinderFromLight, CylinderFromPoint, PreparedCylinder};
 use crate::number::{Unit, ratio, scaled_by_unit, signed, signed_wide, square_root, wide};
 use crate::ray::{ANY_COLUMN, Chord, NO_COLUMN, RowPlane, Span, column};
-use crate::shape::bordered::{Ball, Bordered, Fan, SLACK, square};
+use crate::shape::bordered::{Ball, Bordered, Fan, square};
+use crate::shape::rays::SLACK;
 use crate::vector::{Direction, Vector};
 
 impl Bordered for PreparedCylinder {

@@ -3,8 +3,9 @@
 use super::PreparedDisc;
 use crate::number::square_root;
 use crate::ray::{Chord, RowPlane, Span};
-use crate::shape::bordered::{Ball, Bordered, Fan, SLACK, square};
+use crate::shape::bordered::{Ball, Bordered, Fan, square};
 use crate::shape::flat::FlatFromPoint;
+use crate::shape::rays::SLACK;
 
 impl Bordered for PreparedDisc {
     type Rims = [u16; 0];

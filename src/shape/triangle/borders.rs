@@ -3,8 +3,9 @@
 use super::PreparedTriangle;
 use crate::number::{Unit, ratio, scaled_by_unit, signed, square_root};
 use crate::ray::{ANY_COLUMN, NO_COLUMN, RowPlane, SLACK as OFF, Seen, Span};
-use crate::shape::bordered::{Ball, Bordered, Fan, SLACK, square};
+use crate::shape::bordered::{Ball, Bordered, Fan, square};
 use crate::shape::flat::FlatFromPoint;
+use crate::shape::rays::SLACK;
 use crate::vector::Vector;
 
 /// A corner that is nearer to a row's plane may lie on either side of it, in steps.

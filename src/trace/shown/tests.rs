@@ -1,5 +1,5 @@
 use super::*;
-use crate::shape::bordered::turn_between;
+use crate::shape::rays::turn_between;
 use crate::vector::Vector;
 
 /// Opposite directions along an axis, each a few last places longer than one.
