@@ -115,11 +115,11 @@
 //!
 //! | profile | castle flash | castle instr/pixel | corner1 flash | corner1 instr/pixel |
 //! |---|--:|--:|--:|--:|
-//! | lto = true, codegen-units = 1 | 52696 | 1421 | 14800 | 247 |
-//! | Cargo's default release | 67564 | 1510 | 19216 | 295 |
-//! | lto = true, codegen-units = 1, opt-level = "s" | 49492 | 2387 | 15976 | 316 |
-//! | lto = true, codegen-units = 1, opt-level = "z" | 46240 | 3710 | 16480 | 540 |
-//! | Cargo's default dev (debug) | 624976 | 40034 | 582400 | 7389 |
+//! | lto = true, codegen-units = 1 | 52236 | 1415 | 14532 | 242 |
+//! | Cargo's default release | 68220 | 1514 | 20300 | 305 |
+//! | lto = true, codegen-units = 1, opt-level = "s" | 50044 | 2479 | 15860 | 311 |
+//! | lto = true, codegen-units = 1, opt-level = "z" | 46560 | 3960 | 16368 | 527 |
+//! | Cargo's default dev (debug) | 591664 | 40294 | 543548 | 7138 |
 //!
 //! Every profile draws the same picture. If flash is scarce, the quality [`Small`](quality::Small) saves
 //! more than an `opt-level`.
