@@ -53,14 +53,14 @@ pub(crate) fn lights_all<W: World, Q: CullingQuality>(
     }
 }
 
-/// The rays from an eye or a light to the points of a stretch.
+/// The rays from an eye or a light to the points of a stretch, and the bodies that hold them all.
 struct Sight<'a> {
     rays: &'a Rays,
     /// Upper bound of the distance of a point from the straight line between the ends, in steps.
     bulge: i32,
-    /// All rays as a beam, `None` if they are far or turn much.
+    /// The beam that holds the rays, `None` if there is none.
     beam: Option<Beam>,
-    /// The fan of the rays, made when the beam does not tell.
+    /// The fan that holds the rays more closely, made when it is asked for.
     fan: Option<Fan>,
 }
 
@@ -74,7 +74,7 @@ impl<'a> Sight<'a> {
         }
     }
 
-    /// Tests whether the beam surely avoids a ball.
+    /// Tests whether a ball surely lies outside of the beam.
     #[inline(always)]
     fn misses(&self, (center, radius): Ball) -> bool {
         let way = self.rays.apex.point.to(center);

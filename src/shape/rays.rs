@@ -1,4 +1,4 @@
-//! The rays from a light or an eye to a stretch of a surface, as one thick ray.
+//! The rays from a light or an eye to a stretch of a surface: those to its two ends, and all of them as one thick ray.
 
 use crate::number::{
     Length, Unit, narrowed_unsigned, ratio, scaled_by_unit, signed, square_root, unsigned,
@@ -18,7 +18,7 @@ pub struct Rays {
     pub(crate) ends: [Direction; 2],
     /// Distances from the apex to the two places, in steps; [`REACH`] if they are far.
     pub(crate) reaches: [Length; 2],
-    /// Length of the difference of the two directions; 1 if they are a right angle apart, or more.
+    /// Length of the difference of the two directions; 1 if the angle between them is a right one or larger.
     pub(crate) turn: Unit,
 }
 
@@ -39,8 +39,8 @@ impl Rays {
         }
     }
 
-    /// Returns the beam of all rays to a curve that is at most `bulge` steps away from the straight line between the
-    /// places. `None` if a place is far, or if the rays turn by more than 20 degrees.
+    /// Returns a beam that holds all rays to a curve between the two places. The curve is at most `bulge` steps away from
+    /// the straight line. `None` if a place is far, or if the angle between the rays is larger than 20 degrees.
     pub(crate) fn beam(&self, bulge: i32) -> Option<Beam> {
         let [first, _] = self.ends;
         let reach = self.reaches[0].max(self.reaches[1]);
@@ -72,28 +72,29 @@ impl Rays {
     }
 }
 
-/// Returns the length of the difference of two directions; 1 if they are a right angle apart, or more.
+/// Returns the length of the difference of two directions; 1 if the angle between them is a right one or larger.
 pub(crate) fn turn_between(first: Direction, last: Direction) -> Unit {
     let square = first.change_to(last).map(Vector::square);
     square.map_or(Unit::ONE, |square| Unit::from_bits(square_root(square)))
 }
 
-/// All rays from a point, the apex, to a curve, as one thick ray.
+/// One thick ray that holds all rays from a point, the apex, to a curve.
 #[derive(Clone, Copy, Debug)]
 pub struct Beam {
-    /// Direction of one of the rays.
+    /// Direction of the thick ray: that to one end of the curve.
     first: Direction,
-    /// Upper bound of the distance of the rays from the first one, in steps.
+    /// Its radius in steps.
     width: i32,
-    /// Upper bound of how far the rays lead, in steps: their length and `width`.
+    /// Where it ends: a distance from the apex in steps.
     end: i32,
 }
 
-/// Length of the difference of two directions up to which there is a beam: about 20 degrees.
+/// Largest angle between the rays of a beam, as the length of the difference of their directions: about 20 degrees.
 const WIDEST_BEAM: Unit = Unit::from_bits(3 << 27);
 
 impl Beam {
-    /// Tests whether no ray surely meets a ball. `way` is the vector from the apex to its centre.
+    /// Tests whether a ball surely lies outside of the beam, so that all rays miss it. `way` is the vector from the apex to
+    /// the ball's centre.
     #[inline(always)]
     pub(crate) fn avoids_ball(&self, way: Vector, radius: i32) -> bool {
         let along = way.dot(self.first);

@@ -51,7 +51,7 @@ impl Cores {
     /// Draws a view, whose prepared picture on this core is `rows`, with both cores by turns. The first
     /// row of each area covers it. Ends as soon as `stop` returns something, and returns that.
     ///
-    /// The second core is asked a turn ahead, so that neither waits for the other after each pair of rows.
+    /// The second core is asked for its row one turn ahead. So neither core waits for the other after each pair of rows.
     pub fn draw<T>(
         &mut self,
         (view, rows): (&View, &dyn Rows),
