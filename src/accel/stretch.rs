@@ -23,6 +23,8 @@ pub(crate) struct Stretch<'a> {
     /// Where all points of the shape lie that the stretch can show. `None` if they are not near, or if
     /// nothing is hit.
     pub(crate) chord: Option<Chord>,
+    /// The eye. `None` if the shape is hit from inside, or if nothing is hit.
+    pub(crate) outside: Option<Point>,
     /// The plane that mirrored the rays.
     pub(crate) mirror: Option<&'a PreparedPlane>,
 }
@@ -36,13 +38,11 @@ pub(crate) struct Chord {
     pub(crate) bulge: i32,
     /// What rounding and epsilon may add to the distance from the eye, in steps.
     pub(crate) slack: i32,
-    /// The eye; `None` if the shape is hit from inside.
-    pub(crate) eye: Option<Point>,
 }
 
 impl Chord {
-    /// Returns an upper bound of the distance from an eye outside of the shape to the points, in steps. The curve is not
-    /// further from the eye than its chord.
+    /// Returns an upper bound of the distance from the eye to the points, in steps. The curve is not further from the eye
+    /// than its chord.
     fn reach(&self, eye: Point) -> i32 {
         let [one, other] = self.ends.map(|end| root_of_square(eye.to(end).square()));
         one.max(other) + self.slack
@@ -264,7 +264,7 @@ impl<K: Bordered> ActiveShape<'_, K> {
 
     /// Tests whether the shape begins and ends behind the surface that the stretch shows.
     fn begins_behind<W: SceneAccess>(&self, stretch: &Stretch<'_>) -> bool {
-        let Some((chord, eye)) = stretch.chord.as_ref().and_then(|it| Some((it, it.eye?))) else {
+        let (Some(eye), Some(chord)) = (stretch.outside, &stretch.chord) else {
             return false;
         };
         // An end that cuts a closed shape shows that the shape is behind there.

@@ -164,6 +164,7 @@ impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
                 shape: ShapeId::NONE,
                 body: Body::None,
                 chord: None,
+                outside: None,
                 mirror: origin.mirror.map(|(_, plane)| plane),
             };
             return self.keeps(between, origin, &stretch, proved);
@@ -199,8 +200,8 @@ impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
                 ends: stops.map(|stop| stop.place.point),
                 bulge: shown.lit.bulge + shown.lit.slack,
                 slack: shown.lit.slack,
-                eye: (!shown.lit.is_hollow).then_some(origin.eye),
             }),
+            outside: (!shown.lit.is_hollow).then_some(origin.eye),
             mirror: origin.mirror.map(|(_, plane)| plane),
         };
         self.keeps(between, origin, &stretch, proved)
