@@ -24,7 +24,7 @@ pub(crate) struct Stretch<'a> {
     /// nothing is hit.
     pub(crate) chord: Option<Chord>,
     /// The eye. `None` if the shape is hit from inside, or if nothing is hit.
-    pub(crate) outside: Option<Point>,
+    pub(crate) eye: Option<Point>,
     /// The plane that mirrored the rays.
     pub(crate) mirror: Option<&'a PreparedPlane>,
 }
@@ -264,7 +264,7 @@ impl<K: Bordered> ActiveShape<'_, K> {
 
     /// Tests whether the shape begins and ends behind the surface that the stretch shows.
     fn begins_behind<W: SceneAccess>(&self, stretch: &Stretch<'_>) -> bool {
-        let (Some(eye), Some(chord)) = (stretch.outside, &stretch.chord) else {
+        let (Some(eye), Some(chord)) = (stretch.eye, &stretch.chord) else {
             return false;
         };
         // An end that cuts a closed shape shows that the shape is behind there.

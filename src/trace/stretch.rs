@@ -164,7 +164,7 @@ impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
                 shape: ShapeId::NONE,
                 body: Body::None,
                 chord: None,
-                outside: None,
+                eye: None,
                 mirror: origin.mirror.map(|(_, plane)| plane),
             };
             return self.keeps(between, origin, &stretch, proved);
@@ -201,7 +201,7 @@ impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
                 bulge: shown.lit.bulge + shown.lit.slack,
                 slack: shown.lit.slack,
             }),
-            outside: (!shown.lit.is_hollow).then_some(origin.eye),
+            eye: (!shown.lit.is_hollow).then_some(origin.eye),
             mirror: origin.mirror.map(|(_, plane)| plane),
         };
         self.keeps(between, origin, &stretch, proved)
