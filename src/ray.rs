@@ -245,10 +245,16 @@ impl PathSignature {
         PathMark(to_u16((path ^ path >> 16) & 0xffff))
     }
 
+    /// Tests whether the whole path has known bounds.
+    #[inline(always)]
+    pub(crate) fn is_bounded(self) -> bool {
+        self.0 & 1 == 1
+    }
+
     /// Tests whether two paths hit the same and have known bounds.
     #[inline(always)]
     pub(crate) fn is_same_as(self, other: Self) -> bool {
-        self == other && self.0 & 1 == 1
+        self == other && self.is_bounded()
     }
 }
 

@@ -117,32 +117,35 @@ impl Found<'_> {
         if self.sight.misses(shape.bounding_ball()) {
             return false;
         }
+        let (rays, epsilon) = (self.sight.rays, self.epsilon);
         let hides = match self.sight.fan() {
             Some(fan) if shape.spares(from, fan) => return false,
             Some(fan) => {
-                let fan = *fan;
-                !is_own && self.hides_ends(shape, from) && shape.hides(from, &fan)
+                !is_own && hides_ends(shape, from, (rays, epsilon)) && shape.hides(from, fan)
             }
             None => false,
         };
         self.is_unsure |= !hides;
         hides
     }
+}
 
-    /// Tests whether a shape hides both ends of the stretch.
-    fn hides_ends<K: Bordered>(&self, shape: &K, from: &<K as Bounded>::FromLight) -> bool {
-        let rays = self.sight.rays;
-        let mut ends = rays.places.iter().zip(rays.ends).zip(rays.reaches);
-        ends.all(|((end, direction), reach)| {
-            let ray = LightRay {
-                direction,
-                reach,
-                epsilon: self.epsilon,
-                end: end.point,
-            };
-            shape.occludes::<false>(from, &ray, Own::No)
-        })
-    }
+/// Tests whether a shape hides both ends of a stretch, to which a light's rays lead.
+fn hides_ends<K: Bordered>(
+    shape: &K,
+    from: &<K as Bounded>::FromLight,
+    (rays, epsilon): (&Rays, Length),
+) -> bool {
+    let mut ends = rays.places.iter().zip(rays.ends).zip(rays.reaches);
+    ends.all(|((end, direction), reach)| {
+        let ray = LightRay {
+            direction,
+            reach,
+            epsilon,
+            end: end.point,
+        };
+        shape.occludes::<false>(from, &ray, Own::No)
+    })
 }
 
 /// The rays from the points of a stretch to a sun, projected along them: a straight line.

@@ -6,7 +6,7 @@ use super::{Bend, Sum};
 use crate::number::{Unit, scaled_by_unit, signed, to_u32};
 
 /// Largest number of columns of a parabola.
-pub const LONGEST: usize = 32;
+pub const LONGEST: usize = 64;
 
 /// Reciprocals of 1 to [`LONGEST`], in Q2.30, rounded to nearest.
 static RECIPROCALS: [i32; LONGEST] = {

@@ -6,7 +6,7 @@
 //! parabola may be further off than the quality's tolerance, both halves are treated in the same way. So they are
 //! if it is not sure what lies between, but then the block is divided at a border if one is known (Akimoto, Mase, Suenaga, "Pixel-Selected Ray Tracing", IEEE Computer
 //! Graphics and Applications 11(4), 1991, without guesses).
-//! Of eight pixels or fewer, each is traced instead.
+//! Of eight pixels or fewer, each is traced instead, and so it is where both ends show something in a curved mirror.
 //!
 //! Blocks are aligned, and a block's colours depend on its own pixels only. So a part of a row has the
 //! colours that it has in the whole row.
@@ -21,23 +21,27 @@ pub(super) use output::fill;
 
 use crate::accel::{LONGEST_BLOCK, Window, World};
 use crate::camera::RowDirections;
-use crate::color::{Parabola, Sum};
-use crate::number::Unit;
-use crate::ray::PathSignature;
+use crate::color::Parabola;
+use crate::number::{Unit, to_u32};
 use crate::render::Quality;
+use crate::render::smooth::CHUNK;
 use crate::shade::highlight::sealed::Shading;
-use crate::trace::{Pixel, Stops, Traced, Tracer};
+use crate::trace::{Pixel, Progress, Stops, Traced, Tracer};
 use crate::vector::Direction;
-use between::{DIVISIONS, Known};
 use pieces::Pieces;
 
+/// Number of columns for each bounded shape: in a picture with fewer, borders lie close together.
+const COLUMNS_OF_SHAPE: u32 = 12;
+
 /// Returns the number of columns of a block in a picture of `width` columns. The wider the picture, the less
-/// changes from one pixel to the next.
-pub(crate) const fn block_of(width: u32) -> u32 {
-    match width {
+/// changes from one pixel to the next; the more bounded shapes, the more.
+pub(crate) const fn block_of(width: u32, bounded: usize) -> u32 {
+    let is_crowded = width / COLUMNS_OF_SHAPE < to_u32(bounded);
+    let most = match width {
         0..160 => LONGEST_BLOCK / 2,
         _ => LONGEST_BLOCK,
-    }
+    };
+    if is_crowded { most / 2 } else { most }
 }
 
 /// Number of columns of a window if every pixel is traced.
@@ -47,9 +51,8 @@ const SHORT: u32 = 8;
 /// than to trace what is left.
 const SHORTEST: u32 = 8;
 
-/// Number of traced pixels whose hits are stored: 0 and 1 are the ends of a block, then one for each division;
-/// the last is [`UNREAD`].
-const SLOTS: usize = DIVISIONS + 3;
+/// Number of traced pixels whose hits are stored: 0 and 1 are the ends of a block, then those of its parts; the last is
+const SLOTS: usize = 6;
 
 /// The slot of a traced pixel whose hits are never read. No hit is stored there.
 const UNREAD: usize = SLOTS - 1;
@@ -83,6 +86,8 @@ pub(crate) struct Colors<'s, 'a, W: World, K, Q, M = Unmarked> {
     end: (u32, End),
     /// What the paths of the traced pixels hit.
     stops: [Stops; SLOTS],
+    /// A bit for each slot that is free.
+    free: u32,
     /// Column before which no path hits anything, if it is to the right of `column`. The colours in
     /// `colors` then are those of such paths.
     clear_until: u32,
@@ -109,9 +114,12 @@ impl<'s, 'a, W: World, K: Shading, Q: Quality, M: Marks> Colors<'s, 'a, W, K, Q,
     /// Returns the number of columns of a block in a picture of `width` columns: 1 if every pixel is traced.
     #[inline(always)]
     fn block(tracer: &Tracer<'a, W, K, Q>, width: u32) -> u32 {
-        match Tracer::<W, K, Q>::IS_INTERPOLATED && tracer.is_near() {
-            true => block_of(width),
-            false => 1,
+        let block = block_of(width, tracer.world.parts().bounded());
+        match Q::SMOOTHNESS {
+            _ if !Tracer::<W, K, Q>::IS_INTERPOLATED || !tracer.is_near() => 1,
+            1 => block,
+            // What a chunk's paths met is asked for.
+            _ => block.min(CHUNK),
         }
     }
 
@@ -146,6 +154,7 @@ impl<'s, 'a, W: World, K: Shading, Q: Quality, M: Marks> Colors<'s, 'a, W, K, Q,
                 },
             ),
             stops: [Stops::NONE; SLOTS],
+            free: 0,
             clear_until: 0,
             marks: M::NONE,
         };
@@ -172,7 +181,6 @@ impl<'s, 'a, W: World, K: Shading, Q: Quality, M: Marks> Colors<'s, 'a, W, K, Q,
             return self.trace_each(first, first + 1);
         }
         let block = self.block;
-        self.colors.clear();
         self.window = self.tracer.advance(first, first + block);
         if self.clear(first) {
             return;
@@ -187,7 +195,9 @@ impl<'s, 'a, W: World, K: Shading, Q: Quality, M: Marks> Colors<'s, 'a, W, K, Q,
         // The two ends of a block take turns.
         let end = self.trace(first + block, 1 - start.slot);
         self.end = (first + block, end);
-        self.between((first, block), [&start, &end], Known::NOTHING);
+        self.free = (1 << UNREAD) - 1 - 0b11;
+        self.set(first, start.traced);
+        self.between([first, first + block], [&start, &end], Progress::NONE);
     }
 
     /// Takes a block as clear if no path in the current window hits a shape. Returns whether it is.
@@ -209,22 +219,22 @@ impl<'s, 'a, W: World, K: Shading, Q: Quality, M: Marks> Colors<'s, 'a, W, K, Q,
     fn trace_each(&mut self, first: u32, end: u32) {
         for column in first..end {
             let traced = self.trace(column, UNREAD).traced;
-            self.set(column, traced.sum, traced.signature);
+            self.set(column, traced);
         }
     }
 
-    /// Returns the place of a column among the colours.
+    /// Returns the place of a column in its block.
     #[inline(always)]
-    fn place(column: u32) -> usize {
-        (column % LONGEST_BLOCK) as usize
+    fn place(&self, column: u32) -> usize {
+        (column & (self.block - 1)) as usize
     }
 
     /// Sets the colour of a column, and what its path met.
     #[inline(always)]
-    fn set(&mut self, column: u32, color: Sum, path: PathSignature) {
-        let place = Self::place(column);
-        self.colors.set(place, color);
-        self.marks.fill(place, 1, path);
+    fn set(&mut self, column: u32, traced: Traced) {
+        let place = self.place(column);
+        self.colors.set(place, traced.sum);
+        self.marks.fill(place, 1, traced.signature);
     }
 
     /// Traces the pixel of a column, out of line.
@@ -240,7 +250,7 @@ impl<'s, 'a, W: World, K: Shading, Q: Quality, M: Marks> Colors<'s, 'a, W, K, Q,
         let direction = self.directions.of(column);
         match Q::SMOOTHNESS {
             1 => {
-                let stops = (&mut self.stops[slot.min(UNREAD)], slot != UNREAD);
+                let stops = (&mut self.stops[slot.min(SLOTS - 1)], slot != UNREAD);
                 let pixel = Pixel::Center(&self.window, column);
                 self.tracer.trace(pixel, direction, stops)
             }
@@ -261,7 +271,7 @@ impl<'s, 'a, W: World, K: Shading, Q: Quality, M: Marks> Colors<'s, 'a, W, K, Q,
             Some(known) if !is_center => Pixel::Beside(known, column),
             _ => Pixel::Center(&self.window, column),
         };
-        let stops = (&mut self.stops[slot.min(UNREAD)], slot != UNREAD);
+        let stops = (&mut self.stops[slot.min(SLOTS - 1)], slot != UNREAD);
         self.tracer.trace(pixel, direction, stops)
     }
 }

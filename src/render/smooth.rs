@@ -21,10 +21,10 @@ mod walker;
 
 use super::interpolate::Colors;
 use super::{Quality, Report, Rows};
+use crate::accel::World;
 use crate::accel::drawable::Drawable;
 use crate::accel::shadows::RowShadows;
 use crate::accel::thin::shows_thin;
-use crate::accel::{LONGEST_BLOCK, World};
 use crate::camera::RayGenerator;
 use crate::color::{Levels, Sum};
 use crate::number::to_u32;
@@ -36,7 +36,7 @@ pub use corner::Seam;
 use walker::Walker;
 
 /// Number of columns of a chunk. A pixel is a bit of a word.
-const CHUNK: u32 = LONGEST_BLOCK;
+pub(super) const CHUNK: u32 = 32;
 
 /// The colours of a chunk.
 type ChunkColors = [Levels; CHUNK as usize];

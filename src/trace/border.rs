@@ -41,7 +41,7 @@ impl<W: World, K: Shading, Q: PathQuality> Tracer<'_, W, K, Q> {
                 };
             }
             if level < 2 {
-                let until = self.far_lights_until(between.1, start, level);
+                let until = self.far_lights_until(between.1, start, level)?;
                 if until < last {
                     return Some(until);
                 }
@@ -82,7 +82,8 @@ fn planes_meet<W: World>(
     }
     let factors = [slopes, above, lengths].map(coarse);
     let [start, end] = [0, 1].map(|side| factors.iter().map(|it| it[side]).product::<u32>());
-    Some(first + start * (last - first) / (start + end).max(1))
+    let border = first + start * (last - first) / (start + end).max(1);
+    Some(border.min(last - 1))
 }
 
 /// Returns the height of a point above or below a plane, in steps.

@@ -20,26 +20,27 @@ impl<W: World, K: Shading, Q: PathQuality> Tracer<'_, W, K, Q> {
         proved: &mut Progress,
     ) -> bool {
         let until = self.far_lights_until(columns, stops, level);
-        if until < columns[1] {
-            proved.border = Some(until);
+        let is_kept = until.is_some_and(|until| until >= columns[1]);
+        if !is_kept {
+            proved.border = until;
         }
-        until >= columns[1]
+        is_kept
     }
 
     /// Returns the last column from the first of two up to the last to which no shadow of a far light begins or ends, if
-    /// they show a plane; else the last. `stops` are the hits of the first column's path; `level` is the one that is
-    /// shown.
+    /// they show a plane; else the last. `None` if that is not known. `stops` are the hits of the first column's path;
+    /// `level` is the one that is shown.
     #[inline(always)]
     pub(super) fn far_lights_until(
         &mut self,
         columns: [u32; 2],
         stops: &[Stop],
         level: usize,
-    ) -> u32 {
+    ) -> Option<u32> {
         // A scene without far lights links no code for them.
         match W::NEEDS.far_lights && W::NEEDS.shadows && K::SHADOWS {
             true => self.each_far_light_until(columns, stops, level),
-            false => columns[1],
+            false => Some(columns[1]),
         }
     }
 
@@ -49,43 +50,38 @@ impl<W: World, K: Shading, Q: PathQuality> Tracer<'_, W, K, Q> {
         [first, last]: [u32; 2],
         stops: &[Stop],
         level: usize,
-    ) -> u32 {
+    ) -> Option<u32> {
         let parts = self.world.parts();
-        let Some((shown, mirrors)) = stops.get(..=level).and_then(|stops| stops.split_last())
-        else {
-            return first;
-        };
+        let (shown, mirrors) = stops.get(..=level)?.split_last()?;
         let Some(plane) = parts.plane(shown.shape) else {
-            return last;
+            return Some(last);
         };
         let pencil = mirrors.iter().fold(self.culling.pencil(), |pencil, stop| {
             pencil?.mirrored(parts.plane(stop.shape)?, parts.epsilon)
         });
-        let Some(pencil) = pencil else {
-            return first;
-        };
+        let pencil = pencil?;
         let mut until = last;
         for (index, light) in parts.lights.iter().enumerate() {
             if light.place.is_near() || self.visibility.is_hidden(index) {
                 continue;
             }
             if !self.visibility.is_open(index) {
-                return first;
+                return None;
             }
             let shadow = (&pencil, plane, light.place);
-            until = until.min(self.shines_until((mirrors, shown.shape, index), shadow, first));
+            until = until.min(self.shines_until((mirrors, shown.shape, index), shadow, first)?);
         }
-        until
+        Some(until)
     }
 
-    /// Returns the last column to which a light surely shines on a plane as in `column`. `mirrors` are the hits before
-    /// the plane. Behind at most one mirror the shadows of the whole row are kept.
+    /// Returns the last column to which a light surely shines on a plane as in `column`, `None` if that is not known.
+    /// `mirrors` are the hits before the plane. Behind at most one mirror the shadows of the whole row are kept.
     fn shines_until(
         &mut self,
         (mirrors, plane, light): (&[Stop], ShapeId, usize),
         shadow: (&Pencil, &PreparedPlane, ScaledPoint),
         column: u32,
-    ) -> u32 {
+    ) -> Option<u32> {
         let mirror = match mirrors {
             [] => Some(ShapeId::NONE),
             [only] => Some(only.shape),
@@ -99,9 +95,10 @@ impl<W: World, K: Shading, Q: PathQuality> Tracer<'_, W, K, Q> {
         let kept = cast.zip(self.shadows.as_deref_mut());
         let kept = kept.and_then(|(cast, shadows)| shadows.of(self.world, cast, shadow));
         let (pencil, plane, light) = shadow;
-        match kept.and_then(|borders| borders.until(column)) {
-            Some(until) => until,
-            None => shadows::until(self.world, pencil, plane, light, column),
-        }
+        let kept = kept.and_then(|borders| borders.until(column));
+        kept.or_else(|| {
+            let until = shadows::until(self.world, pencil, plane, light, column);
+            (until > column).then_some(until)
+        })
     }
 }

@@ -8,103 +8,117 @@ use crate::shade::Samples;
 use crate::shade::highlight::sealed::Shading;
 use crate::trace::{Progress, Stops};
 
-/// Number of times that a block is divided at most before what is left of it is traced.
-pub(super) const DIVISIONS: usize = 2;
-
 impl<W: World, K: Shading, Q: Quality, M: Marks> Colors<'_, '_, W, K, Q, M> {
-    /// Computes the colours of `length` pixels from the traced pixel at column `first` up to the traced pixel after
-    /// the last. `ends` are these two.
+    /// Computes the colours between the traced pixels at two columns. `ends` are these two. That of the first is set, that
+    /// of the last is not set here.
     pub(super) fn between(
         &mut self,
-        (first, length): (u32, u32),
-        ends: [&End; 2],
-        mut known: Known,
+        [mut first, last]: [u32; 2],
+        [outer, end]: [&End; 2],
+        mut proved: Progress,
     ) {
-        let [start, end] = ends;
-        self.set(first, start.traced.sum, start.traced.signature);
+        let mut start = *outer;
+        while first + 1 < last {
+            let ends = [&start, end];
+            if self.is_steady([first, last], ends, &mut proved) {
+                self.interpolate([first, last], ends, (Bend::ZERO, proved.samples));
+                break;
+            }
+            let Some([before, after]) = self.border([first, last], ends, &proved) else {
+                self.trace_each(first + 1, last);
+                break;
+            };
+            let mut middle = start;
+            if first < before {
+                middle = self.traced_end(before);
+                self.between([first, before], [&start, &middle], proved);
+                self.set(before, middle.traced);
+                self.release(&start, outer);
+            }
+            if before < after {
+                self.release(&middle, outer);
+                if after == last {
+                    return;
+                }
+                middle = self.traced_end(after);
+                self.set(after, middle.traced);
+            }
+            (first, start) = (after, middle);
+        }
+        self.release(&start, outer);
+    }
+
+    /// Tests whether all paths between two traced pixels surely show the same. In short stretches it is not found out.
+    #[inline(always)]
+    fn is_steady(&mut self, columns: [u32; 2], ends: [&End; 2], proved: &mut Progress) -> bool {
+        let [first, last] = columns;
+        last - first >= SHORTEST
+            && is_alike(ends)
+            && self
+                .tracer
+                .is_steady((&self.window, columns), hits(&self.stops, ends), proved)
+    }
+
+    /// Returns where to divide the pixels between two traced ones that do not surely show the same: the columns before and
+    /// after a border if one is known, else the middle twice. `None` if each pixel has to be traced.
+    #[inline(always)]
+    fn border(
+        &mut self,
+        columns: [u32; 2],
+        ends: [&End; 2],
+        proved: &Progress,
+    ) -> Option<[u32; 2]> {
+        let [first, last] = columns;
+        // Parts of it would be too short to prove anything.
+        if last - first <= SHORTEST || self.free == 0 {
+            return None;
+        }
+        let between = (&self.window, columns);
+        let border = self.tracer.border(between, hits(&self.stops, ends), proved);
+        if let Some(before) = border {
+            return Some([before, before + 1]);
+        }
+        let may_prove = ends.iter().any(|end| end.traced.signature.is_bounded());
+        may_prove.then_some([first + (last - first) / 2; 2])
+    }
+
+    /// Traces the pixel of a column, and stores its hits in a free slot. There is one.
+    #[inline(always)]
+    fn traced_end(&mut self, column: u32) -> End {
+        let slot = self.free.trailing_zeros();
+        self.free &= !(1 << slot);
+        self.trace(column, slot as usize)
+    }
+
+    /// Frees the slot of a traced pixel, unless the pixel is `outer`, whose slot the caller frees.
+    #[inline(always)]
+    fn release(&mut self, end: &End, outer: &End) {
+        if end.slot != outer.slot {
+            self.free |= 1 << end.slot;
+        }
+    }
+
+    /// Computes the colours between two traced pixels of one path, or of paths that differ in what cannot be seen. The
+    /// second difference of the three is expected to be this. `samples` says how many have to be traced at least.
+    fn interpolate(
+        &mut self,
+        [first, last]: [u32; 2],
+        ends: [&End; 2],
+        (expected, samples): (Bend, Samples),
+    ) {
+        let ([start, end], length) = (ends, last - first);
+        let is_smooth = is_alike(ends) && samples == Samples::Three;
         if length == 1 {
             return;
         }
-        let is_alike = start.traced.signature.is_same_as(end.traced.signature);
-        let columns = [first, first + length];
-        if let (Known::Part(proved, _), true) = (&mut known, is_alike && length >= SHORTEST) {
-            let stops = hits(&self.stops, ends);
-            let between = (&self.window, columns);
-            if self.tracer.is_steady(between, stops, proved) {
-                known = Known::Steady(Bend::ZERO, proved.samples);
-            }
-        }
-        match known {
-            Known::Part(proved, divisions) => {
-                // Parts of it would be too short to prove anything.
-                if length <= SHORTEST || divisions == DIVISIONS {
-                    return self.trace_each(first + 1, first + length);
-                }
-                self.divide(columns, ends, (proved, divisions));
-            }
-            Known::Steady(expected, samples) => {
-                self.interpolate((first, length), ends, is_alike, (expected, samples));
-            }
-        }
-    }
-
-    /// Computes the colours between two traced pixels that do not show the same: up to a border between them, if
-    /// one is known, and from there on; else of both halves.
-    #[inline(always)]
-    fn divide(
-        &mut self,
-        [first, last]: [u32; 2],
-        [start, end]: [&End; 2],
-        (proved, divisions): (Progress, usize),
-    ) {
-        let known = Known::Part(proved, divisions + 1);
-        let slot = 2 + divisions;
-        let stops = hits(&self.stops, [start, end]);
-        let between = (&self.window, [first, last]);
-        let Some(before) = self.tracer.border(between, stops, &proved) else {
-            let half = (last - first) / 2;
-            let middle = self.trace(first + half, slot);
-            self.between((first, half), [start, &middle], known);
-            return self.between((first + half, last - first - half), [&middle, end], known);
-        };
-        if first < before {
-            let middle = self.trace(before, slot);
-            self.between((first, before - first), [start, &middle], known);
-            self.set(before, middle.traced.sum, middle.traced.signature);
-        }
-        if before + 1 < last {
-            let middle = self.trace(before + 1, slot);
-            self.between((before + 1, last - before - 1), [&middle, end], known);
-        }
-    }
-
-    /// Computes the colours between two traced pixels of one path, or, unless `is_alike`, of paths that differ in
-    /// what cannot be seen. The second difference of the three is expected to be this. `samples` says how
-    /// many have to be traced at least.
-    #[inline(always)]
-    fn interpolate(
-        &mut self,
-        (first, length): (u32, u32),
-        ends: [&End; 2],
-        is_alike: bool,
-        (expected, samples): (Bend, Samples),
-    ) {
-        let [start, end] = ends;
-        let is_smooth = is_alike && samples == Samples::Three;
         if length == 2 {
             // Traced, if the expected second difference is more than four times the tolerance.
-            let is_flat = expected.is_within(4 * Self::TOLERANCE);
-            let (sum, path) = match is_smooth && is_flat {
-                true => (
-                    start.traced.sum.half_way(end.traced.sum, expected),
-                    start.traced.signature,
-                ),
-                false => {
-                    let traced = self.trace(first + 1, UNREAD).traced;
-                    (traced.sum, traced.signature)
-                }
-            };
-            return self.set(first + 1, sum, path);
+            let mut middle = start.traced;
+            match is_smooth && expected.is_within(4 * Self::TOLERANCE) {
+                true => middle.sum = middle.sum.half_way(end.traced.sum, expected),
+                false => middle = self.trace(first + 1, UNREAD).traced,
+            }
+            return self.set(first + 1, middle);
         }
         let half = length / 2;
         let middle = self.trace(first + half, UNREAD);
@@ -112,42 +126,27 @@ impl<W: World, K: Shading, Q: Quality, M: Marks> Colors<'_, '_, W, K, Q, M> {
         let curve = Parabola::through(sums, half, length);
         let bend = curve.bend(half);
         if is_smooth && bend.less(expected).is_within(4 * Self::TOLERANCE) {
-            let place = Self::place(first);
+            let place = self.place(first);
             self.marks
                 .fill(place, length as usize, start.traced.signature);
             return self.colors.set_curve(place, length, curve);
         }
-        for (first, length, ends) in [
-            (first, half, [start, &middle]),
-            (first + half, length - half, [&middle, end]),
-        ] {
-            let expected = curve.bend((length / 2).max(1));
-            self.between(
-                (first, length),
-                ends,
-                Known::Steady(expected, Samples::Three),
-            );
-        }
+        let expected = |length: u32| (curve.bend((length / 2).max(1)), Samples::Three);
+        self.interpolate([first, first + half], [start, &middle], expected(half));
+        self.set(first + half, middle.traced);
+        let rest = expected(length - half);
+        self.interpolate([first + half, last], [&middle, end], rest);
     }
+}
+
+/// Tests whether two traced pixels show the same, and have known bounds.
+#[inline(always)]
+fn is_alike([start, end]: [&End; 2]) -> bool {
+    start.traced.signature.is_same_as(end.traced.signature)
 }
 
 /// Returns what the paths of two traced pixels hit.
 #[inline(always)]
 fn hits<'a>(stops: &'a [Stops; SLOTS], ends: [&End; 2]) -> [&'a Stops; 2] {
-    ends.map(|end| &stops[end.slot.min(UNREAD)])
-}
-
-/// What is known of the paths between two traced ones.
-#[derive(Clone, Copy)]
-pub(super) enum Known {
-    /// Not all of it, after so many divisions of the block.
-    Part(Progress, usize),
-    /// All surely meet the same. The second difference of three traced pixels is expected to be this. At least so
-    /// many pixels are traced.
-    Steady(Bend, Samples),
-}
-
-impl Known {
-    /// Nothing is known of a block.
-    pub(super) const NOTHING: Self = Self::Part(Progress::NONE, 0);
+    ends.map(|end| &stops[end.slot.min(SLOTS - 1)])
 }

@@ -1,7 +1,8 @@
 //! Floor 7: what the paths of a block's pixels met, for frames with smooth edges. Other frames keep nothing.
 
-use crate::accel::{Beside, LONGEST_BLOCK};
+use crate::accel::Beside;
 use crate::ray::{PathMark, PathSignature};
+use crate::render::smooth::CHUNK;
 
 /// What a row keeps of the paths of a block's pixels.
 pub(crate) trait Marks {
@@ -36,14 +37,14 @@ impl Marks for Unmarked {
 
 /// The mark of each path, and what rays beside the centres of pixels can hit.
 pub(crate) struct Marked {
-    pub(crate) paths: [PathMark; LONGEST_BLOCK as usize],
+    pub(crate) paths: [PathMark; CHUNK as usize],
     beside: Beside,
 }
 
 impl Marks for Marked {
     const ARE_KEPT: bool = true;
     const NONE: Self = Self {
-        paths: [PathMark::NONE; LONGEST_BLOCK as usize],
+        paths: [PathMark::NONE; CHUNK as usize],
         beside: Beside::NONE,
     };
 

@@ -24,7 +24,7 @@ impl<W: World, K: Shading, Q: Quality, M: Marks> Colors<'_, '_, W, K, Q, M> {
             self.follow(column);
             self.colors.expand();
         }
-        self.colors.color_of(Self::place(column))
+        self.colors.color_of(self.place(column))
     }
 
     /// Traces the pixel of the next column, in a quality that interpolates none.
@@ -34,7 +34,7 @@ impl<W: World, K: Shading, Q: Quality, M: Marks> Colors<'_, '_, W, K, Q, M> {
             self.window = self.tracer.advance(column, column + SHORT);
         }
         let traced = self.traced(column, 0);
-        self.marks.fill(Self::place(column), 1, traced.signature);
+        self.marks.fill(self.place(column), 1, traced.signature);
         traced.sum
     }
 
@@ -97,12 +97,12 @@ impl<W: World, K: Shading, Q: Quality, M: Marks> Colors<'_, '_, W, K, Q, M> {
             };
             let (now, _) = pixels.split_at_mut(pixels.len().min(known as usize));
             let count = match clear {
-                0 => self.colors.fill(Self::place(self.column), now, &shown),
+                0 => self.colors.fill(self.place(self.column), now, &shown),
                 // All pixels of a clear part have one colour.
                 _ => {
                     if M::ARE_KEPT {
                         let path = self.tracer.missed().signature;
-                        self.marks.fill(Self::place(self.column), now.len(), path);
+                        self.marks.fill(self.place(self.column), now.len(), path);
                     }
                     fill(now, shown(self.colors.color_of(0)));
                     now.len()

@@ -4,69 +4,46 @@
 use core::hint::black_box;
 
 use super::output::fill;
-use crate::accel::LONGEST_BLOCK;
-use crate::color::{Parabola, Sum};
-use crate::number::to_u32;
+use crate::color::{LONGEST, Parabola, Sum};
+use crate::number::to_u8;
 
-/// Colours of the pixels of a block. A place is the column within [`LONGEST_BLOCK`] columns.
+/// Colours of the pixels of a block. A place is a column of the block. A piece is a pixel or a parabola.
 ///
 /// A parabola is stored in the first three of its places.
 pub(super) struct Pieces {
-    sums: [Sum; LONGEST_BLOCK as usize],
-    /// A bit for each place of a parabola after its first.
-    inner: u32,
+    sums: [Sum; LONGEST],
+    /// Number of columns of the piece that begins at a place.
+    lengths: [u8; LONGEST],
 }
 
 impl Pieces {
-    /// No parabola.
+    /// No pieces.
     pub(super) const NONE: Self = Self {
-        sums: [Sum::ZERO; LONGEST_BLOCK as usize],
-        inner: 0,
+        sums: [Sum::ZERO; LONGEST],
+        lengths: [0; LONGEST],
     };
-
-    /// Removes all parabolas.
-    #[inline(always)]
-    pub(super) fn clear(&mut self) {
-        self.inner = 0;
-    }
 
     /// Sets the colour of one place, which is in no parabola.
     #[inline(always)]
     pub(super) fn set(&mut self, place: usize, sum: Sum) {
+        let place = place % LONGEST;
         self.sums[place] = sum;
+        self.lengths[place] = 1;
     }
 
-    /// Sets the colours of `count` places from `place` on, 3 to [`LONGEST_BLOCK`], to those of a parabola.
+    /// Sets the colours of `count` places from `place` on, 3 to [`LONGEST`], to those of a parabola.
     #[inline(always)]
     pub(super) fn set_curve(&mut self, place: usize, count: u32, curve: Parabola) {
-        if let Some(sums) = self
-            .sums
-            .get_mut(place..)
-            .and_then(|sums| sums.first_chunk_mut())
-        {
+        let place = place % LONGEST;
+        let sums = self.sums.get_mut(place..);
+        if let Some(sums) = sums.and_then(|sums| sums.first_chunk_mut()) {
             *sums = curve.to_sums();
-            self.inner |= after_first(place, count);
+            self.lengths[place] = to_u8(count);
         }
     }
 
-    /// Returns the sums of the parabola that begins at a place, and its number of places; `None` if there is none.
-    #[inline(always)]
-    fn curve(&self, place: usize) -> Option<(&[Sum; 3], usize)> {
-        let more = (self.inner >> place >> 1).trailing_ones();
-        let sums = self.sums.get(place..)?.first_chunk()?;
-        (more > 0).then_some((sums, more as usize + 1))
-    }
-
-    /// Returns the colours from `place` up to the next parabola.
-    #[inline(always)]
-    fn singles(&self, place: usize) -> &[Sum] {
-        let count = (self.inner >> place >> 1).trailing_zeros() as usize;
-        let sums = self.sums.get(place..).unwrap_or(&[]);
-        sums.get(..count).unwrap_or(sums)
-    }
-
     /// Fills the first of `pixels` with the colours from `place` on, each converted by `shown`: up to the end of a
-    /// parabola, or to the beginning of the next one. Returns how many are filled. The place is not within a parabola.
+    /// parabola, or to the beginning of the next one. Returns how many are filled. A piece begins at the place.
     #[inline(always)]
     pub(super) fn fill<C: Copy>(
         &self,
@@ -74,46 +51,49 @@ impl Pieces {
         pixels: &mut [C],
         shown: impl Fn(Sum) -> C,
     ) -> usize {
-        if let Some((sums, count)) = self.curve(place) {
-            let count = count.min(pixels.len());
-            fill_curve(sums, pixels.split_at_mut(count).0, shown);
+        let sums = self.sums.get(place..).unwrap_or(&[]);
+        let lengths = self.lengths.get(place..).unwrap_or(&[]);
+        if let (Some(&length @ 2..), Some(curve)) = (lengths.first(), sums.first_chunk()) {
+            let count = pixels.len().min(length.into());
+            fill_curve(curve, pixels.split_at_mut(count).0, shown);
             return count;
         }
-        let singles = self.singles(place);
-        for (pixel, sum) in pixels.iter_mut().zip(singles) {
+        let mut count = 0;
+        for (pixel, (sum, length)) in pixels.iter_mut().zip(sums.iter().zip(lengths)) {
+            if *length != 1 {
+                break;
+            }
             *pixel = shown(*sum);
+            count += 1;
             // Keeps the compiler from unrolling the loop: most pixels are in parabolas.
             black_box(());
         }
-        singles.len().min(pixels.len())
+        count
     }
 
     /// Returns the colour of a place. It is in no parabola, or the first of one.
     #[inline(always)]
     pub(super) fn color_of(&self, place: usize) -> Sum {
-        self.sums[place]
+        self.sums[place % LONGEST]
     }
 
     /// Replaces all parabolas by their colours.
     #[inline(never)]
     pub(super) fn expand(&mut self) {
-        while self.inner != 0 {
-            let after = self.inner.trailing_zeros();
-            let place = (after as usize).saturating_sub(1);
-            let Some((&sums, count)) = self.curve(place) else {
-                return;
-            };
-            let places = self.sums.get_mut(place..).unwrap_or_default();
-            Parabola::from_sums(sums).fill(places.iter_mut().take(count), |sum| sum);
-            self.inner &= !after_first(place, to_u32(count));
+        let mut place = 0;
+        while let (Some(&count), Some(sums)) = (self.lengths.get(place), self.sums.get_mut(place..))
+        {
+            if count > 1
+                && let Some(&curve) = sums.first_chunk()
+            {
+                let sums = sums.iter_mut().take(count.into());
+                Parabola::from_sums(curve).fill(sums, |sum| sum);
+                let lengths = self.lengths.iter_mut().skip(place);
+                lengths.take(count.into()).for_each(|length| *length = 1);
+            }
+            place += usize::from(count.max(1));
         }
     }
-}
-
-/// Returns a bit for each of `count` places after the first, `place`. There are 2 to [`LONGEST_BLOCK`].
-#[inline(always)]
-fn after_first(place: usize, count: u32) -> u32 {
-    u32::MAX >> (LONGEST_BLOCK + 1 - count) << place << 1
 }
 
 /// Fills pixels with the colours of a parabola. Not inlined, so that the loop has all registers.
@@ -130,7 +110,7 @@ fn fill_curve<C: Copy>(sums: &[Sum; 3], pixels: &mut [C], shown: impl Fn(Sum) ->
 mod tests {
     use super::*;
     use crate::color::Color;
-    use crate::number::{Brightness, Unit};
+    use crate::number::{Brightness, Unit, to_u32};
 
     /// Returns the sum of a path that shows a grey.
     fn grey(bits: i32) -> Sum {
@@ -148,14 +128,14 @@ mod tests {
         pieces.set_curve(1, 9, curve);
         pieces.set_curve(10, 3, flat);
         pieces.set(13, grey(1 << 19));
-        pieces.set_curve(14, 18, curve);
-        let mut filled = [Sum::ZERO; LONGEST_BLOCK as usize];
+        pieces.set_curve(14, 50, curve);
+        let mut filled = [Sum::ZERO; LONGEST];
         let mut place = 0;
         while place < filled.len() {
             place += pieces.fill(place, &mut filled[place..], |sum| sum);
         }
         pieces.expand();
-        assert_eq!((filled, pieces.inner), (pieces.sums, 0));
+        assert_eq!((filled, pieces.lengths), (pieces.sums, [1; LONGEST]));
         assert_eq!((filled[1], filled[14]), (grey(1 << 20), grey(1 << 20)));
         assert_eq!([filled[10], filled[11], filled[12]], [grey(1 << 22); 3]);
     }
@@ -163,8 +143,8 @@ mod tests {
     #[test]
     fn parabola_of_a_whole_block_is_expanded() {
         let mut pieces = Pieces::NONE;
-        pieces.set_curve(0, LONGEST_BLOCK, Parabola::constant(grey(1 << 22)));
+        pieces.set_curve(0, to_u32(LONGEST), Parabola::constant(grey(1 << 22)));
         pieces.expand();
-        assert_eq!(pieces.sums, [grey(1 << 22); LONGEST_BLOCK as usize]);
+        assert_eq!(pieces.sums, [grey(1 << 22); LONGEST]);
     }
 }
