@@ -232,9 +232,8 @@ impl<'s, 'a, W: World, K: Shading, Q: Quality, M: Marks> Colors<'s, 'a, W, K, Q,
     /// Sets the colour of a column, and what its path met.
     #[inline(always)]
     fn set(&mut self, column: u32, traced: Traced) {
-        let place = self.place(column);
-        self.colors.set(place, traced.sum);
-        self.marks.fill(place, 1, traced.signature);
+        self.colors.set(self.place(column), traced.sum);
+        self.marks.fill(column, 1, traced.signature);
     }
 
     /// Traces the pixel of a column, out of line.

@@ -93,9 +93,9 @@ fn height(plane: &PreparedPlane, at: Point) -> u32 {
     narrowed_unsigned(height.min(u32::MAX.into()))
 }
 
-/// Returns two numbers in nine bits, with their largest common scale: a product of three of them and the length of a
+/// Returns two numbers in eight bits, with their largest common scale: a product of three of them and the length of a
 /// block fits 32 bits.
 fn coarse(numbers: [u32; 2]) -> [u32; 2] {
-    let drop = 23_u32.saturating_sub((numbers[0] | numbers[1]).leading_zeros());
+    let drop = 24_u32.saturating_sub((numbers[0] | numbers[1]).leading_zeros());
     numbers.map(|number| number >> drop)
 }

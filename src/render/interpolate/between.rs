@@ -126,10 +126,8 @@ impl<W: World, K: Shading, Q: Quality, M: Marks> Colors<'_, '_, W, K, Q, M> {
         let curve = Parabola::through(sums, half, length);
         let bend = curve.bend(half);
         if is_smooth && bend.less(expected).is_within(4 * Self::TOLERANCE) {
-            let place = self.place(first);
-            self.marks
-                .fill(place, length as usize, start.traced.signature);
-            return self.colors.set_curve(place, length, curve);
+            self.marks.fill(first, length, start.traced.signature);
+            return self.colors.set_curve(self.place(first), length, curve);
         }
         let expected = |length: u32| (curve.bend((length / 2).max(1)), Samples::Three);
         self.interpolate([first, first + half], [start, &middle], expected(half));

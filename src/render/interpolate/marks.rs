@@ -1,10 +1,10 @@
-//! Floor 7: what the paths of a block's pixels met, for frames with smooth edges. Other frames keep nothing.
+//! Floor 7: what the paths of a chunk's pixels met, for frames with smooth edges. Other frames keep nothing.
 
 use crate::accel::Beside;
 use crate::ray::{PathMark, PathSignature};
 use crate::render::smooth::CHUNK;
 
-/// What a row keeps of the paths of a block's pixels.
+/// What a row keeps of the paths of a chunk's pixels.
 pub(crate) trait Marks {
     /// Whether anything is kept.
     const ARE_KEPT: bool;
@@ -12,8 +12,8 @@ pub(crate) trait Marks {
     /// Nothing is kept yet.
     const NONE: Self;
 
-    /// Keeps what the paths of `count` pixels from `place` on met.
-    fn fill(&mut self, place: usize, count: usize, path: PathSignature);
+    /// Keeps what the paths of `count` pixels from a column on met.
+    fn fill(&mut self, column: u32, count: u32, path: PathSignature);
 
     /// Returns what rays beside the centres of pixels can hit, if there are such rays.
     fn beside(&mut self) -> Option<&mut Beside>;
@@ -27,7 +27,7 @@ impl Marks for Unmarked {
     const NONE: Self = Self;
 
     #[inline(always)]
-    fn fill(&mut self, _: usize, _: usize, _: PathSignature) {}
+    fn fill(&mut self, _: u32, _: u32, _: PathSignature) {}
 
     #[inline(always)]
     fn beside(&mut self) -> Option<&mut Beside> {
@@ -48,10 +48,14 @@ impl Marks for Marked {
         beside: Beside::NONE,
     };
 
-    fn fill(&mut self, place: usize, count: usize, path: PathSignature) {
+    fn fill(&mut self, column: u32, count: u32, path: PathSignature) {
+        let place = (column % CHUNK) as usize;
         let marks = self.paths.get_mut(place..).unwrap_or_default();
         let path = path.mark();
-        marks.iter_mut().take(count).for_each(|mark| *mark = path);
+        marks
+            .iter_mut()
+            .take(count as usize)
+            .for_each(|mark| *mark = path);
     }
 
     fn beside(&mut self) -> Option<&mut Beside> {

@@ -34,7 +34,7 @@ impl<W: World, K: Shading, Q: Quality, M: Marks> Colors<'_, '_, W, K, Q, M> {
             self.window = self.tracer.advance(column, column + SHORT);
         }
         let traced = self.traced(column, 0);
-        self.marks.fill(self.place(column), 1, traced.signature);
+        self.marks.fill(column, 1, traced.signature);
         traced.sum
     }
 
@@ -102,7 +102,7 @@ impl<W: World, K: Shading, Q: Quality, M: Marks> Colors<'_, '_, W, K, Q, M> {
                 _ => {
                     if M::ARE_KEPT {
                         let path = self.tracer.missed().signature;
-                        self.marks.fill(self.place(self.column), now.len(), path);
+                        self.marks.fill(self.column, to_u32(now.len()), path);
                     }
                     fill(now, shown(self.colors.color_of(0)));
                     now.len()
