@@ -125,7 +125,9 @@ impl<W: World, K: Shading, Q: Quality, M: Marks> Colors<'_, '_, W, K, Q, M> {
         let sums = [start, &middle, end].map(|it| it.traced.sum);
         let curve = Parabola::through(sums, half, length);
         let bend = curve.bend(half);
-        if is_smooth && bend.less(expected).is_within(4 * Self::TOLERANCE) {
+        // Over so many columns it may be further off between the three.
+        let most = if length > 32 { 2 } else { 4 };
+        if is_smooth && bend.less(expected).is_within(most * Self::TOLERANCE) {
             self.marks.fill(first, length, start.traced.signature);
             return self.colors.set_curve(self.place(first), length, curve);
         }
