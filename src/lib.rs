@@ -115,11 +115,11 @@
 //!
 //! | profile | castle flash | castle instr/pixel | corner1 flash | corner1 instr/pixel |
 //! |---|--:|--:|--:|--:|
-//! | lto = true, codegen-units = 1 | 52236 | 1415 | 14532 | 242 |
-//! | Cargo's default release | 68220 | 1514 | 20300 | 305 |
-//! | lto = true, codegen-units = 1, opt-level = "s" | 50044 | 2479 | 15860 | 311 |
-//! | lto = true, codegen-units = 1, opt-level = "z" | 46560 | 3960 | 16368 | 527 |
-//! | Cargo's default dev (debug) | 591664 | 40294 | 543548 | 7138 |
+//! | lto = true, codegen-units = 1 | 52508 | 1421 | 14860 | 218 |
+//! | Cargo's default release | 68688 | 1535 | 20704 | 281 |
+//! | lto = true, codegen-units = 1, opt-level = "s" | 50612 | 2484 | 16388 | 294 |
+//! | lto = true, codegen-units = 1, opt-level = "z" | 47028 | 3940 | 16932 | 478 |
+//! | Cargo's default dev (debug) | 594888 | 39927 | 546772 | 6227 |
 //!
 //! Every profile draws the same picture. If flash is scarce, the quality [`Small`](quality::Small) saves
 //! more than an `opt-level`.

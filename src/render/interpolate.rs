@@ -65,6 +65,14 @@ struct End {
     slot: usize,
 }
 
+impl End {
+    /// No pixel.
+    const NONE: Self = Self {
+        traced: Traced::NONE,
+        slot: 0,
+    };
+}
+
 /// The colours of a row of pixels, computed from one column on to the right.
 pub(crate) struct Colors<'s, 'a, W: World, K, Q, M = Unmarked> {
     tracer: &'s mut Tracer<'a, W, K, Q>,
@@ -146,13 +154,7 @@ impl<'s, 'a, W: World, K: Shading, Q: Quality, M: Marks> Colors<'s, 'a, W, K, Q,
             },
             block,
             colors: Pieces::NONE,
-            end: (
-                u32::MAX,
-                End {
-                    traced: Traced::NONE,
-                    slot: 0,
-                },
-            ),
+            end: (u32::MAX, End::NONE),
             stops: [Stops::NONE; SLOTS],
             free: 0,
             clear_until: 0,

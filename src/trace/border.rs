@@ -82,8 +82,7 @@ fn planes_meet<W: World>(
     }
     let factors = [slopes, above, lengths].map(coarse);
     let [start, end] = [0, 1].map(|side| factors.iter().map(|it| it[side]).product::<u32>());
-    let border = first + start * (last - first) / (start + end).max(1);
-    Some(border.min(last - 1))
+    Some((first + start * (last - first) / (start + end).max(1)).min(last - 1))
 }
 
 /// Returns the height of a point above or below a plane, in steps.

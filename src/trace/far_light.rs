@@ -58,8 +58,7 @@ impl<W: World, K: Shading, Q: PathQuality> Tracer<'_, W, K, Q> {
         };
         let pencil = mirrors.iter().fold(self.culling.pencil(), |pencil, stop| {
             pencil?.mirrored(parts.plane(stop.shape)?, parts.epsilon)
-        });
-        let pencil = pencil?;
+        })?;
         let mut until = last;
         for (index, light) in parts.lights.iter().enumerate() {
             if light.place.is_near() || self.visibility.is_hidden(index) {

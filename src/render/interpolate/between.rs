@@ -51,12 +51,9 @@ impl<W: World, K: Shading, Q: Quality, M: Marks> Colors<'_, '_, W, K, Q, M> {
     /// Tests whether all paths between two traced pixels surely show the same. In short stretches it is not found out.
     #[inline(always)]
     fn is_steady(&mut self, columns: [u32; 2], ends: [&End; 2], proved: &mut Progress) -> bool {
-        let [first, last] = columns;
-        last - first >= SHORTEST
-            && is_alike(ends)
-            && self
-                .tracer
-                .is_steady((&self.window, columns), hits(&self.stops, ends), proved)
+        let (between, stops) = ((&self.window, columns), hits(&self.stops, ends));
+        let is_long = columns[1] - columns[0] >= SHORTEST;
+        is_long && is_alike(ends) && self.tracer.is_steady(between, stops, proved)
     }
 
     /// Returns where to divide the pixels between two traced ones that do not surely show the same: the columns before and
@@ -73,9 +70,8 @@ impl<W: World, K: Shading, Q: Quality, M: Marks> Colors<'_, '_, W, K, Q, M> {
         if last - first <= SHORTEST || self.free == 0 {
             return None;
         }
-        let between = (&self.window, columns);
-        let border = self.tracer.border(between, hits(&self.stops, ends), proved);
-        if let Some(before) = border {
+        let (between, stops) = ((&self.window, columns), hits(&self.stops, ends));
+        if let Some(before) = self.tracer.border(between, stops, proved) {
             return Some([before, before + 1]);
         }
         let may_prove = ends.iter().any(|end| end.traced.signature.is_bounded());
@@ -108,9 +104,7 @@ impl<W: World, K: Shading, Q: Quality, M: Marks> Colors<'_, '_, W, K, Q, M> {
     ) {
         let ([start, end], length) = (ends, last - first);
         let is_smooth = is_alike(ends) && samples == Samples::Three;
-        if length == 1 {
-            return;
-        }
+        let 2.. = length else { return };
         if length == 2 {
             // Traced, if the expected second difference is more than four times the tolerance.
             let mut middle = start.traced;
