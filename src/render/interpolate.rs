@@ -30,18 +30,11 @@ use crate::trace::{Pixel, Progress, Stops, Traced, Tracer};
 use crate::vector::Direction;
 use pieces::Pieces;
 
-/// Number of columns for each bounded shape: in a picture with fewer, borders lie close together.
-const COLUMNS_OF_SHAPE: u32 = 12;
-
 /// Returns the number of columns of a block in a picture of `width` columns. The wider the picture, the less
-/// changes from one pixel to the next; the more bounded shapes, the more.
-pub(crate) const fn block_of(width: u32, bounded: usize) -> u32 {
-    let is_crowded = width / COLUMNS_OF_SHAPE < to_u32(bounded);
-    let most = match width {
-        0..160 => LONGEST_BLOCK / 2,
-        _ => LONGEST_BLOCK,
-    };
-    if is_crowded { most / 2 } else { most }
+/// changes from one pixel to the next. If it `is_dense`, borders lie close together.
+pub(crate) const fn block_of(width: u32, is_dense: bool) -> u32 {
+    let most = LONGEST_BLOCK / if width < 160 { 2 } else { 1 };
+    if is_dense { most / 2 } else { most }
 }
 
 /// Number of columns of a window if every pixel is traced.
@@ -122,7 +115,11 @@ impl<'s, 'a, W: World, K: Shading, Q: Quality, M: Marks> Colors<'s, 'a, W, K, Q,
     /// Returns the number of columns of a block in a picture of `width` columns: 1 if every pixel is traced.
     #[inline(always)]
     fn block(tracer: &Tracer<'a, W, K, Q>, width: u32) -> u32 {
-        let block = block_of(width, tracer.world.parts().bounded());
+        let parts = tracer.world.parts();
+        let is_checkered = W::NEEDS.checkers && parts.checkers.iter().any(|it| it.has_cells());
+        // Many shapes, and the cells of checkers, have borders that lie close together.
+        let is_dense = is_checkered || width / 12 < to_u32(parts.bounded());
+        let block = block_of(width, is_dense);
         match Q::SMOOTHNESS {
             _ if !Tracer::<W, K, Q>::IS_INTERPOLATED || !tracer.is_near() => 1,
             1 => block,

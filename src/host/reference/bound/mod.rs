@@ -246,7 +246,7 @@ impl Ending {
         if tolerance == 0.0 {
             1
         } else {
-            block_of(width, 0)
+            block_of(width, false)
         }
     }
 }
