@@ -24,8 +24,7 @@ pub fn install(packages: &[&str]) -> Result<()> {
         eprintln!("       {program}");
         program.stream_to_stderr()
     };
-    // Updating the package list may fail where the mirror is out of reach: an old list may be
-    // enough.
+    // Updating the package list may fail where the mirror is out of reach: an old list may be enough.
     let update = apt_get(&["update"]);
     let install = apt_get(&[&["install", "-y", "--no-install-recommends"], packages].concat());
     match update {

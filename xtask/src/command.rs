@@ -102,8 +102,7 @@ impl Program {
         self.read().is_ok()
     }
 
-    /// Starts the program and returns while it runs. [`Running::line`] reads its output line by
-    /// line.
+    /// Starts the program and returns while it runs. [`Running::line`] reads its output line by line.
     pub fn start(mut self) -> Result<Running, Failure> {
         self.command.stdout(Stdio::piped()).stderr(Stdio::piped());
         let mut child = self.spawn()?;
