@@ -160,7 +160,7 @@ impl<'s, 'a, W: World, K: Shading, Q: Quality, M: Marks> Colors<'s, 'a, W, K, Q,
         if first < column {
             colors.follow(first);
             // The column may lie within a parabola.
-            colors.colors.expand();
+            colors.colors.expand(colors.block);
         }
         colors
     }
@@ -215,6 +215,7 @@ impl<'s, 'a, W: World, K: Shading, Q: Quality, M: Marks> Colors<'s, 'a, W, K, Q,
     }
 
     /// Traces each pixel from column `first` to the one before `end`. Nothing is interpolated.
+    #[inline(never)]
     fn trace_each(&mut self, first: u32, end: u32) {
         for column in first..end {
             let traced = self.trace(column, UNREAD).traced;

@@ -32,7 +32,6 @@ impl<W: World, K: Shading, Q: Quality, M: Marks> Colors<'_, '_, W, K, Q, M> {
             if first < before {
                 middle = self.traced_end(before);
                 self.between([first, before], [&start, &middle], proved);
-                self.set(before, middle.traced);
                 self.release(&start, outer);
             }
             if before < after {
@@ -41,7 +40,6 @@ impl<W: World, K: Shading, Q: Quality, M: Marks> Colors<'_, '_, W, K, Q, M> {
                     return;
                 }
                 middle = self.traced_end(after);
-                self.set(after, middle.traced);
             }
             (first, start) = (after, middle);
         }
@@ -78,12 +76,14 @@ impl<W: World, K: Shading, Q: Quality, M: Marks> Colors<'_, '_, W, K, Q, M> {
         may_prove.then_some([first + (last - first) / 2; 2])
     }
 
-    /// Traces the pixel of a column, and stores its hits in a free slot. There is one.
-    #[inline(always)]
+    /// Traces the pixel of a column, sets its colour, and stores its hits in a free slot. There is one.
+    #[inline(never)]
     fn traced_end(&mut self, column: u32) -> End {
         let slot = self.free.trailing_zeros();
         self.free &= !(1 << slot);
-        self.trace(column, slot as usize)
+        let end = self.trace(column, slot as usize);
+        self.set(column, end.traced);
+        end
     }
 
     /// Frees the slot of a traced pixel, unless the pixel is `outer`, whose slot the caller frees.

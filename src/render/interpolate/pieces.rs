@@ -77,21 +77,22 @@ impl Pieces {
         self.sums[place % LONGEST]
     }
 
-    /// Replaces all parabolas by their colours.
+    /// Replaces the parabolas among the first places by their colours. A piece ends with the last of them.
     #[inline(never)]
-    pub(super) fn expand(&mut self) {
+    pub(super) fn expand(&mut self, places: u32) {
+        let lengths = self.lengths.get_mut(..places as usize).unwrap_or_default();
         let mut place = 0;
-        while let (Some(&count), Some(sums)) = (self.lengths.get(place), self.sums.get_mut(place..))
-        {
-            if count > 1
-                && let Some(&curve) = sums.first_chunk()
-            {
-                let sums = sums.iter_mut().take(count.into());
-                Parabola::from_sums(curve).fill(sums, |sum| sum);
-                let lengths = self.lengths.iter_mut().skip(place);
-                lengths.take(count.into()).for_each(|length| *length = 1);
+        while let Some(&count) = lengths.get(place) {
+            if count > 1 {
+                let sums = self.sums.get_mut(place..).unwrap_or_default();
+                if let Some(&curve) = sums.first_chunk() {
+                    Parabola::from_sums(curve).fill(sums.iter_mut().take(count.into()), |sum| sum);
+                }
+                let last = place + usize::from(count) - 1;
+                lengths.get_mut(place..=last).unwrap_or_default().fill(1);
+                place = last;
             }
-            place += usize::from(count.max(1));
+            place += 1;
         }
     }
 }
@@ -134,7 +135,7 @@ mod tests {
         while place < filled.len() {
             place += pieces.fill(place, &mut filled[place..], |sum| sum);
         }
-        pieces.expand();
+        pieces.expand(to_u32(LONGEST));
         assert_eq!((filled, pieces.lengths), (pieces.sums, [1; LONGEST]));
         assert_eq!((filled[1], filled[14]), (grey(1 << 20), grey(1 << 20)));
         assert_eq!([filled[10], filled[11], filled[12]], [grey(1 << 22); 3]);
@@ -144,7 +145,7 @@ mod tests {
     fn parabola_of_a_whole_block_is_expanded() {
         let mut pieces = Pieces::NONE;
         pieces.set_curve(0, to_u32(LONGEST), Parabola::constant(grey(1 << 22)));
-        pieces.expand();
+        pieces.expand(to_u32(LONGEST));
         assert_eq!(pieces.sums, [grey(1 << 22); LONGEST]);
     }
 }
