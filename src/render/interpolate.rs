@@ -21,10 +21,13 @@ pub(super) use output::fill;
 
 use crate::accel::{LONGEST_BLOCK, Window, World};
 use crate::camera::RowDirections;
+use crate::checker::PreparedChecker;
 use crate::color::Parabola;
 use crate::number::{Unit, to_u32};
 use crate::render::Quality;
 use crate::render::smooth::CHUNK;
+use crate::scene::access::ShapeId;
+use crate::scene::surface::checker_of;
 use crate::shade::highlight::sealed::Shading;
 use crate::trace::{Pixel, Progress, Stops, Traced, Tracer};
 use crate::vector::Direction;
@@ -116,7 +119,9 @@ impl<'s, 'a, W: World, K: Shading, Q: Quality, M: Marks> Colors<'s, 'a, W, K, Q,
     #[inline(always)]
     fn block(tracer: &Tracer<'a, W, K, Q>, width: u32) -> u32 {
         let parts = tracer.world.parts();
-        let is_checkered = W::NEEDS.checkers && parts.checkers.iter().any(|it| it.has_cells());
+        let shapes = 0..parts.bounded() + parts.planes.len();
+        let mut checkers = shapes.filter_map(|it| checker_of(tracer.world, ShapeId::at(it)));
+        let is_checkered = W::NEEDS.checkers && checkers.any(PreparedChecker::has_cells);
         // Many shapes, and the cells of checkers, have borders that lie close together.
         let is_dense = is_checkered || width / 12 < to_u32(parts.bounded());
         let block = block_of(width, is_dense);
