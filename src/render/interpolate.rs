@@ -48,6 +48,7 @@ const SHORT: u32 = 8;
 const SHORTEST: u32 = 8;
 
 /// Number of traced pixels whose hits are stored: 0 and 1 are the ends of a block, then those of its parts; the last is
+/// [`UNREAD`].
 const SLOTS: usize = 6;
 
 /// The slot of a traced pixel whose hits are never read. No hit is stored there.
@@ -95,7 +96,7 @@ pub(crate) struct Colors<'s, 'a, W: World, K, Q, M = Unmarked> {
     /// Column before which no path hits anything, if it is to the right of `column`. The colours in
     /// `colors` then are those of such paths.
     clear_until: u32,
-    /// What the paths of the block's pixels met.
+    /// What the paths of the chunk's pixels met.
     pub(super) marks: M,
 }
 
@@ -215,7 +216,7 @@ impl<'s, 'a, W: World, K: Shading, Q: Quality, M: Marks> Colors<'s, 'a, W, K, Q,
         self.clear_until = (until & !(self.block - 1)).max(first + self.block);
         let missed = self.tracer.missed();
         let curve = Parabola::constant(missed.sum);
-        self.colors.set_curve(0, LONGEST_BLOCK, curve);
+        self.colors.set_curve(0, self.block, curve);
         true
     }
 
@@ -254,7 +255,7 @@ impl<'s, 'a, W: World, K: Shading, Q: Quality, M: Marks> Colors<'s, 'a, W, K, Q,
         let direction = self.directions.of(column);
         match Q::SMOOTHNESS {
             1 => {
-                let stops = (&mut self.stops[slot.min(SLOTS - 1)], slot != UNREAD);
+                let stops = (&mut self.stops[slot.min(UNREAD)], slot != UNREAD);
                 let pixel = Pixel::Center(&self.window, column);
                 self.tracer.trace(pixel, direction, stops)
             }
@@ -275,7 +276,7 @@ impl<'s, 'a, W: World, K: Shading, Q: Quality, M: Marks> Colors<'s, 'a, W, K, Q,
             Some(known) if !is_center => Pixel::Beside(known, column),
             _ => Pixel::Center(&self.window, column),
         };
-        let stops = (&mut self.stops[slot.min(SLOTS - 1)], slot != UNREAD);
+        let stops = (&mut self.stops[slot.min(UNREAD)], slot != UNREAD);
         self.tracer.trace(pixel, direction, stops)
     }
 }

@@ -14,7 +14,7 @@ use embedded_graphics::prelude::{Point, PointsIter, Size};
 use embedded_graphics::primitives::Rectangle;
 use reflet::host::painted;
 use reflet::quality::{Exact, Fast, Quality};
-use reflet::scenes::{BuiltIn, Mirror1, Primitives};
+use reflet::scenes::{BuiltIn, Cylinders, Mirror1, Primitives};
 use reflet::shading::Normals;
 use reflet::{
     FrameBuilder, Material, Number, PreparedFrame, Report, Rows, RuntimeScene, Scene, room,
@@ -306,6 +306,23 @@ fn rows_make_the_same_picture_as_draw() {
     let mut row = [Rgb888::BLACK; 33];
     let reports = (0..20).map(|y| on(&picture(33, 20)).row(y, 0, &mut row));
     assert_eq!(reports.fold(Report::NONE, Report::merge), drawn);
+}
+
+#[test]
+fn clear_rows_are_the_same_pixel_by_pixel() {
+    for width in [64, 100, 240] {
+        let mut display = recorder(width, 64);
+        Cylinders::frame(&Cylinders::CAMERA)
+            .draw(&mut display)
+            .unwrap();
+        let frame = Cylinders::frame(&Cylinders::CAMERA).prepare(Size::new(width, 64));
+        let rows: Rows<'_, Cylinders, Fast> = frame.on(&Cylinders).unwrap();
+        for (y, (_, drawn)) in (0..).zip(&display.calls) {
+            let mut row = vec![Rgb888::BLACK; width as usize];
+            rows.row(y, 0, &mut row);
+            assert_eq!((y, &row), (y, drawn), "{width}");
+        }
+    }
 }
 
 #[test]

@@ -142,5 +142,5 @@ fn is_alike([start, end]: [&End; 2]) -> bool {
 /// Returns what the paths of two traced pixels hit.
 #[inline(always)]
 fn hits<'a>(stops: &'a [Stops; SLOTS], ends: [&End; 2]) -> [&'a Stops; 2] {
-    ends.map(|end| &stops[end.slot.min(SLOTS - 1)])
+    ends.map(|end| &stops[end.slot.min(UNREAD)])
 }

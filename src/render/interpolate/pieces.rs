@@ -113,6 +113,16 @@ mod tests {
     use crate::color::Color;
     use crate::number::{Brightness, Unit, to_u32};
 
+    #[test]
+    fn block_of_one_colour_stays_one_however_often_it_is_expanded() {
+        let mut pieces = Pieces::NONE;
+        pieces.set_curve(0, 16, Parabola::constant(grey(1 << 22)));
+        for _ in 0..2 {
+            pieces.expand(16);
+            assert_eq!(pieces.sums[..16], [grey(1 << 22); 16]);
+        }
+    }
+
     /// Returns the sum of a path that shows a grey.
     fn grey(bits: i32) -> Sum {
         let mut sum = Sum::DARK;
