@@ -61,7 +61,17 @@ impl Palette {
             let nearest = learnt.index_of(&with_alpha(pixel));
             *index = u8::try_from(nearest).expect("a palette has at most 256 colours");
         }
-        let colors = learnt.color_map_rgb();
+        // The mean of the pixels for which a colour stands is nearer to them than what was learnt.
+        let mut sums = [(0, 0); 3 * MOST];
+        for pixel in pixels() {
+            let first = 3 * usize::from(indices[&pixel]);
+            for ((sum, count), part) in sums[first..].iter_mut().zip(pixel) {
+                (*sum, *count) = (*sum + u64::from(part), *count + 1);
+            }
+        }
+        let means = sums.map(|(sum, count)| sum / count.max(1));
+        let colors = means.map(|mean| u8::try_from(mean).expect("it is a mean of bytes"));
+        let colors = colors.into();
         Self { colors, indices }
     }
 
