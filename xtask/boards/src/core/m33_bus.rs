@@ -14,6 +14,20 @@ const CLREX: [u16; 2] = [0xf3bf, 0x8f2f];
 /// Address at which only CLREX is: the crate has no other way to forget.
 pub const CLREX_AT: u32 = 0x0000_0100;
 
+/// Functions of the coprocessor of the RP2350's pins, which is not modelled: a read is 0, a write is a fault.
+macro_rules! no_coprocessor {
+    ($($read:ident)*; $($write:ident)*) => {
+        $(fn $read(&self) -> u32 {
+            0
+        })*
+
+        $(fn $write(&mut self, _: u32) {
+            let fault = fault!("the coprocessor of the pins is not modelled");
+            self.fault.get_or_insert(fault);
+        })*
+    };
+}
+
 impl CoreBus for System {
     fn read8(&mut self, address: u32, _: u8) -> u8 {
         self.read(address, 1) as u8
@@ -90,55 +104,8 @@ impl CoreBus for System {
 
     fn emit_mmio_trace(&mut self, _: char, _: u32, _: u32, _: u32, _: u8) {}
 
-    // The coprocessor of the RP2350's pins.
-    fn gpio_read_out(&self) -> u32 {
-        0
-    }
-
-    fn gpio_write_out(&mut self, _: u32) {
-        self.refuse_coprocessor();
-    }
-
-    fn gpio_set_out(&mut self, _: u32) {
-        self.refuse_coprocessor();
-    }
-
-    fn gpio_clear_out(&mut self, _: u32) {
-        self.refuse_coprocessor();
-    }
-
-    fn gpio_xor_out(&mut self, _: u32) {
-        self.refuse_coprocessor();
-    }
-
-    fn gpio_read_oe(&self) -> u32 {
-        0
-    }
-
-    fn gpio_write_oe(&mut self, _: u32) {
-        self.refuse_coprocessor();
-    }
-
-    fn gpio_set_oe(&mut self, _: u32) {
-        self.refuse_coprocessor();
-    }
-
-    fn gpio_clear_oe(&mut self, _: u32) {
-        self.refuse_coprocessor();
-    }
-
-    fn gpio_xor_oe(&mut self, _: u32) {
-        self.refuse_coprocessor();
-    }
-
-    fn gpio_read_in(&self) -> u32 {
-        0
-    }
-}
-
-impl System {
-    fn refuse_coprocessor(&mut self) {
-        let fault = fault!("the coprocessor of the pins is not modelled");
-        self.fault.get_or_insert(fault);
+    no_coprocessor! {
+        gpio_read_out gpio_read_oe gpio_read_in;
+        gpio_write_out gpio_set_out gpio_clear_out gpio_xor_out gpio_write_oe gpio_set_oe gpio_clear_oe gpio_xor_oe
     }
 }
