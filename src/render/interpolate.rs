@@ -4,9 +4,10 @@
 //! between two traced pixels surely meet the same shapes, lit by the same lights, the colours between them
 //! are smooth, and a parabola gives them. It goes through the pixel half way, which is traced, too. If the
 //! parabola may be further off than the quality's tolerance, both halves are treated in the same way. So they are
-//! if it is not sure what lies between, but then the block is divided at a border if one is known (Akimoto, Mase, Suenaga, "Pixel-Selected Ray Tracing", IEEE Computer
-//! Graphics and Applications 11(4), 1991, without guesses).
-//! Of eight pixels or fewer, each is traced instead, and so it is where both ends show something in a curved mirror.
+//! if it is not sure what lies between, but then the block is divided at a border if one is known (Akimoto, Mase,
+//! Suenaga, "Pixel-Selected Ray Tracing", IEEE Computer Graphics and Applications 11(4), 1991, without guesses).
+//! Each pixel is traced instead where they are eight or fewer, or where both ends show something in a curved mirror and
+//! no border is known between them.
 //!
 //! Blocks are aligned, and a block's colours depend on its own pixels only. So a part of a row has the
 //! colours that it has in the whole row.
@@ -119,6 +120,9 @@ impl<'s, 'a, W: World, K: Shading, Q: Quality, M: Marks> Colors<'s, 'a, W, K, Q,
     /// Returns the number of columns of a block in a picture of `width` columns: 1 if every pixel is traced.
     #[inline(always)]
     fn block(tracer: &Tracer<'a, W, K, Q>, width: u32) -> u32 {
+        if !Tracer::<W, K, Q>::IS_INTERPOLATED || !tracer.is_near() {
+            return 1;
+        }
         let parts = tracer.world.parts();
         let shapes = 0..parts.bounded() + parts.planes.len();
         let mut checkers = shapes.filter_map(|it| checker_of(tracer.world, ShapeId::at(it)));
@@ -126,11 +130,11 @@ impl<'s, 'a, W: World, K: Shading, Q: Quality, M: Marks> Colors<'s, 'a, W, K, Q,
         // Many shapes, and the cells of checkers, have borders that lie close together.
         let is_dense = is_checkered || width / 12 < to_u32(parts.bounded());
         let block = block_of(width, is_dense);
-        match Q::SMOOTHNESS {
-            _ if !Tracer::<W, K, Q>::IS_INTERPOLATED || !tracer.is_near() => 1,
-            1 => block,
-            // What a chunk's paths met is asked for.
-            _ => block.min(CHUNK),
+        // Smooth edges ask what the paths of a chunk met.
+        if Q::SMOOTHNESS == 1 {
+            block
+        } else {
+            block.min(CHUNK)
         }
     }
 
@@ -166,7 +170,7 @@ impl<'s, 'a, W: World, K: Shading, Q: Quality, M: Marks> Colors<'s, 'a, W, K, Q,
         if first < column {
             colors.follow(first);
             // The column may lie within a parabola.
-            colors.colors.expand(colors.block);
+            colors.colors.expand();
         }
         colors
     }
@@ -186,6 +190,7 @@ impl<'s, 'a, W: World, K: Shading, Q: Quality, M: Marks> Colors<'s, 'a, W, K, Q,
             return self.trace_each(first, first + 1);
         }
         let block = self.block;
+        self.colors.clear();
         self.window = self.tracer.advance(first, first + block);
         if self.clear(first) {
             return;
@@ -214,14 +219,12 @@ impl<'s, 'a, W: World, K: Shading, Q: Quality, M: Marks> Colors<'s, 'a, W, K, Q,
             return false;
         };
         self.clear_until = (until & !(self.block - 1)).max(first + self.block);
-        let missed = self.tracer.missed();
-        let curve = Parabola::constant(missed.sum);
+        let curve = Parabola::constant(self.tracer.missed().sum);
         self.colors.set_curve(0, self.block, curve);
         true
     }
 
     /// Traces each pixel from column `first` to the one before `end`. Nothing is interpolated.
-    #[inline(never)]
     fn trace_each(&mut self, first: u32, end: u32) {
         for column in first..end {
             let traced = self.trace(column, UNREAD).traced;

@@ -137,8 +137,7 @@ fn every_pixel_is_drawn_once_and_inside_in_one_call_a_row() {
     }
 }
 
-/// Draws on embedded-graphics' own mock display, which fails on a pixel that is outside or drawn
-/// twice.
+/// Draws on embedded-graphics' own mock display, which fails on a pixel that is outside or drawn twice.
 fn assert_mock_display_shows<C>()
 where
     C: PixelColor + ColorMapping + From<Rgb888> + std::fmt::Debug,
@@ -311,11 +310,9 @@ fn rows_make_the_same_picture_as_draw() {
 #[test]
 fn clear_rows_are_the_same_pixel_by_pixel() {
     for width in [64, 100, 240] {
-        let mut display = recorder(width, 64);
-        Cylinders::frame(&Cylinders::CAMERA)
-            .draw(&mut display)
-            .unwrap();
-        let frame = Cylinders::frame(&Cylinders::CAMERA).prepare(Size::new(width, 64));
+        let (mut display, frame) = (recorder(width, 64), Cylinders::frame(&Cylinders::CAMERA));
+        frame.draw(&mut display).unwrap();
+        let frame = frame.prepare(Size::new(width, 64));
         let rows: Rows<'_, Cylinders, Fast> = frame.on(&Cylinders).unwrap();
         for (y, (_, drawn)) in (0..).zip(&display.calls) {
             let mut row = vec![Rgb888::BLACK; width as usize];

@@ -148,9 +148,9 @@ fn packages_of_first_command() -> Result<usize> {
 mod tests {
     use super::*;
 
-    const MOST_CODE: usize = 19_822;
+    const MOST_CODE: usize = 19_816;
 
-    const MOST_OUTSIDE: usize = 37_069;
+    const MOST_OUTSIDE: usize = 37_060;
 
     /// Most packages that a newcomer's first command compiles.
     const MOST_PACKAGES: usize = 62;

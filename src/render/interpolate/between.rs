@@ -9,8 +9,8 @@ use crate::shade::highlight::sealed::Shading;
 use crate::trace::{Progress, Stops};
 
 impl<W: World, K: Shading, Q: Quality, M: Marks> Colors<'_, '_, W, K, Q, M> {
-    /// Computes the colours between the traced pixels at two columns. `ends` are these two. That of the first is set, that
-    /// of the last is not set here.
+    /// Sets the colours of all columns between two. `ends` are the traced pixels at these two columns, whose own colours
+    /// the caller sets.
     pub(super) fn between(
         &mut self,
         [mut first, last]: [u32; 2],
@@ -46,7 +46,8 @@ impl<W: World, K: Shading, Q: Quality, M: Marks> Colors<'_, '_, W, K, Q, M> {
         self.release(&start, outer);
     }
 
-    /// Tests whether all paths between two traced pixels surely show the same. In short stretches it is not found out.
+    /// Tests whether all paths between two traced pixels surely meet the same shapes, lit by the same lights. Returns
+    /// `false` without a proof if there are few pixels between.
     #[inline(always)]
     fn is_steady(&mut self, columns: [u32; 2], ends: [&End; 2], proved: &mut Progress) -> bool {
         let (between, stops) = ((&self.window, columns), hits(&self.stops, ends));
@@ -119,7 +120,7 @@ impl<W: World, K: Shading, Q: Quality, M: Marks> Colors<'_, '_, W, K, Q, M> {
         let sums = [start, &middle, end].map(|it| it.traced.sum);
         let curve = Parabola::through(sums, half, length);
         let bend = curve.bend(half);
-        // Over so many columns it may be further off between the three.
+        // Between its three traced pixels, a parabola over so many columns may be further off.
         let most = if length > 32 { 2 } else { 4 };
         if is_smooth && bend.less(expected).is_within(most * Self::TOLERANCE) {
             self.marks.fill(first, length, start.traced.signature);
@@ -133,7 +134,7 @@ impl<W: World, K: Shading, Q: Quality, M: Marks> Colors<'_, '_, W, K, Q, M> {
     }
 }
 
-/// Tests whether two traced pixels show the same, and have known bounds.
+/// Tests whether the paths of two traced pixels met the same, and have known bounds.
 #[inline(always)]
 fn is_alike([start, end]: [&End; 2]) -> bool {
     start.traced.signature.is_same_as(end.traced.signature)

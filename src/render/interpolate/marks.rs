@@ -50,12 +50,8 @@ impl Marks for Marked {
 
     fn fill(&mut self, column: u32, count: u32, path: PathSignature) {
         let place = (column % CHUNK) as usize;
-        let marks = self.paths.get_mut(place..).unwrap_or_default();
-        let path = path.mark();
-        marks
-            .iter_mut()
-            .take(count as usize)
-            .for_each(|mark| *mark = path);
+        let marks = self.paths.iter_mut().skip(place).take(count as usize);
+        marks.for_each(|mark| *mark = path.mark());
     }
 
     fn beside(&mut self) -> Option<&mut Beside> {

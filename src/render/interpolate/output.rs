@@ -22,7 +22,7 @@ impl<W: World, K: Shading, Q: Quality, M: Marks> Colors<'_, '_, W, K, Q, M> {
         }
         if column >= self.until {
             self.follow(column);
-            self.colors.expand(self.block);
+            self.colors.expand();
         }
         self.colors.color_of(self.place(column))
     }

@@ -7,43 +7,50 @@ use super::output::fill;
 use crate::color::{LONGEST, Parabola, Sum};
 use crate::number::to_u8;
 
-/// Colours of the pixels of a block. A place is a column of the block. A piece is a pixel or a parabola.
+/// Colours of the pixels of a block. A place is a column of the block.
 ///
 /// A parabola is stored in the first three of its places.
 pub(super) struct Pieces {
     sums: [Sum; LONGEST],
-    /// Number of columns of the piece that begins at a place.
+    /// A bit for each place at which a parabola begins.
+    curves: u64,
+    /// Number of columns of the parabola that begins at a place.
     lengths: [u8; LONGEST],
 }
 
 impl Pieces {
-    /// No pieces.
+    /// No parabola.
     pub(super) const NONE: Self = Self {
         sums: [Sum::ZERO; LONGEST],
+        curves: 0,
         lengths: [0; LONGEST],
     };
+
+    /// Removes all parabolas.
+    #[inline(always)]
+    pub(super) fn clear(&mut self) {
+        self.curves = 0;
+    }
 
     /// Sets the colour of one place, which is in no parabola.
     #[inline(always)]
     pub(super) fn set(&mut self, place: usize, sum: Sum) {
-        let place = place % LONGEST;
-        self.sums[place] = sum;
-        self.lengths[place] = 1;
+        self.sums[place % LONGEST] = sum;
     }
 
     /// Sets the colours of `count` places from `place` on, 3 to [`LONGEST`], to those of a parabola.
     #[inline(always)]
     pub(super) fn set_curve(&mut self, place: usize, count: u32, curve: Parabola) {
         let place = place % LONGEST;
-        let sums = self.sums.get_mut(place..);
-        if let Some(sums) = sums.and_then(|sums| sums.first_chunk_mut()) {
+        if let Some(sums) = self.sums.split_at_mut(place).1.first_chunk_mut() {
             *sums = curve.to_sums();
             self.lengths[place] = to_u8(count);
+            self.curves |= 1 << place;
         }
     }
 
     /// Fills the first of `pixels` with the colours from `place` on, each converted by `shown`: up to the end of a
-    /// parabola, or to the beginning of the next one. Returns how many are filled. A piece begins at the place.
+    /// parabola, or to the beginning of the next one. Returns how many are filled. The place is not within a parabola.
     #[inline(always)]
     pub(super) fn fill<C: Copy>(
         &self,
@@ -51,20 +58,17 @@ impl Pieces {
         pixels: &mut [C],
         shown: impl Fn(Sum) -> C,
     ) -> usize {
-        let sums = self.sums.get(place..).unwrap_or(&[]);
-        let lengths = self.lengths.get(place..).unwrap_or(&[]);
-        if let (Some(&length @ 2..), Some(curve)) = (lengths.first(), sums.first_chunk()) {
-            let count = pixels.len().min(length.into());
+        let place = place % LONGEST;
+        let (_, sums) = self.sums.split_at(place);
+        let singles = (self.curves >> place).trailing_zeros() as usize;
+        if let (0, Some(curve)) = (singles, sums.first_chunk()) {
+            let count = pixels.len().min(self.lengths[place].into());
             fill_curve(curve, pixels.split_at_mut(count).0, shown);
             return count;
         }
-        let mut count = 0;
-        for (pixel, (sum, length)) in pixels.iter_mut().zip(sums.iter().zip(lengths)) {
-            if *length != 1 {
-                break;
-            }
+        let count = pixels.len().min(singles).min(sums.len());
+        for (pixel, sum) in pixels.iter_mut().zip(sums.split_at(count).0) {
             *pixel = shown(*sum);
-            count += 1;
             // Keeps the compiler from unrolling the loop: most pixels are in parabolas.
             black_box(());
         }
@@ -77,22 +81,17 @@ impl Pieces {
         self.sums[place % LONGEST]
     }
 
-    /// Replaces the parabolas among the first places by their colours. A piece ends with the last of them.
+    /// Replaces all parabolas by their colours.
     #[inline(never)]
-    pub(super) fn expand(&mut self, places: u32) {
-        let lengths = self.lengths.get_mut(..places as usize).unwrap_or_default();
-        let mut place = 0;
-        while let Some(&count) = lengths.get(place) {
-            if count > 1 {
-                let sums = self.sums.get_mut(place..).unwrap_or_default();
-                if let Some(&curve) = sums.first_chunk() {
-                    Parabola::from_sums(curve).fill(sums.iter_mut().take(count.into()), |sum| sum);
-                }
-                let last = place + usize::from(count) - 1;
-                lengths.get_mut(place..=last).unwrap_or_default().fill(1);
-                place = last;
+    pub(super) fn expand(&mut self) {
+        while self.curves != 0 {
+            let place = self.curves.trailing_zeros() as usize % LONGEST;
+            let (_, sums) = self.sums.split_at_mut(place);
+            if let Some(&curve) = sums.first_chunk() {
+                let sums = sums.iter_mut().take(self.lengths[place].into());
+                Parabola::from_sums(curve).fill(sums, |sum| sum);
             }
-            place += 1;
+            self.curves &= self.curves - 1;
         }
     }
 }
@@ -118,7 +117,7 @@ mod tests {
         let mut pieces = Pieces::NONE;
         pieces.set_curve(0, 16, Parabola::constant(grey(1 << 22)));
         for _ in 0..2 {
-            pieces.expand(16);
+            pieces.expand();
             assert_eq!(pieces.sums[..16], [grey(1 << 22); 16]);
         }
     }
@@ -145,8 +144,8 @@ mod tests {
         while place < filled.len() {
             place += pieces.fill(place, &mut filled[place..], |sum| sum);
         }
-        pieces.expand(to_u32(LONGEST));
-        assert_eq!((filled, pieces.lengths), (pieces.sums, [1; LONGEST]));
+        pieces.expand();
+        assert_eq!((filled, pieces.curves), (pieces.sums, 0));
         assert_eq!((filled[1], filled[14]), (grey(1 << 20), grey(1 << 20)));
         assert_eq!([filled[10], filled[11], filled[12]], [grey(1 << 22); 3]);
     }
@@ -155,7 +154,7 @@ mod tests {
     fn parabola_of_a_whole_block_is_expanded() {
         let mut pieces = Pieces::NONE;
         pieces.set_curve(0, to_u32(LONGEST), Parabola::constant(grey(1 << 22)));
-        pieces.expand(to_u32(LONGEST));
+        pieces.expand();
         assert_eq!(pieces.sums, [grey(1 << 22); LONGEST]);
     }
 }
