@@ -115,11 +115,11 @@
 //!
 //! | profile | castle flash | castle instr/pixel | corner1 flash | corner1 instr/pixel |
 //! |---|--:|--:|--:|--:|
-//! | lto = true, codegen-units = 1 | 52508 | 1421 | 14860 | 218 |
-//! | Cargo's default release | 68688 | 1535 | 20704 | 281 |
-//! | lto = true, codegen-units = 1, opt-level = "s" | 50612 | 2484 | 16388 | 294 |
-//! | lto = true, codegen-units = 1, opt-level = "z" | 47028 | 3940 | 16932 | 478 |
-//! | Cargo's default dev (debug) | 594888 | 39927 | 546772 | 6227 |
+//! | lto = true, codegen-units = 1 | 52524 | 1420 | 14864 | 220 |
+//! | Cargo's default release | 69964 | 1534 | 20368 | 283 |
+//! | lto = true, codegen-units = 1, opt-level = "s" | 50600 | 2482 | 16372 | 295 |
+//! | lto = true, codegen-units = 1, opt-level = "z" | 47100 | 3944 | 17032 | 484 |
+//! | Cargo's default dev (debug) | 594032 | 39908 | 545916 | 6252 |
 //!
 //! Every profile draws the same picture. If flash is scarce, the quality [`Small`](quality::Small) saves
 //! more than an `opt-level`.

@@ -75,10 +75,10 @@ use crate::vector::Position;
 /// | core | scene | move | preparation | flash |
 /// |---|---|--:|--:|--:|
 /// | m0 | castle | 3336 | 367376 | 108.5 % |
-/// | m0 | mirror1 | 2822 | 57207 | 107.1 % |
-/// | m0 | primitives | 2709 | 22039 | 109.6 % |
+/// | m0 | mirror1 | 2822 | 57207 | 107.2 % |
+/// | m0 | primitives | 2709 | 22039 | 109.5 % |
 /// | m3 | castle | 2017 | 88127 | 109.8 % |
-/// | m3 | mirror1 | 1621 | 14007 | 110.4 % |
+/// | m3 | mirror1 | 1621 | 14007 | 110.3 % |
 /// | m3 | primitives | 1539 | 5754 | 112.8 % |
 pub struct MovingScene<T: StaticScene>(Scene<T::Room>);
 
