@@ -38,7 +38,7 @@ fn built_in<Q: Quality>(name: &str, size: Size) -> Picture {
 }
 
 /// Number of columns of a block in a picture narrower than 160 columns.
-const BLOCK: usize = 16;
+const BLOCK: usize = 32;
 
 #[test]
 fn ends_of_blocks_are_traced_whatever_lies_between() {
