@@ -52,16 +52,15 @@ impl Parabola {
         second.each(second, |second, _| second * square)
     }
 
-    /// Returns the sum of column 0, and the first and the second difference there.
+    /// Returns the parabola counted from a later column on.
     #[inline(always)]
-    pub fn to_sums(self) -> [Sum; 3] {
-        self.0
-    }
-
-    /// Returns the parabola that [`Parabola::to_sums`] was called for.
-    #[inline(always)]
-    pub fn from_sums(sums: [Sum; 3]) -> Self {
-        Self(sums)
+    pub fn after(self, columns: u32) -> Self {
+        let [mut start, mut first, second] = self.0;
+        for _ in 0..columns {
+            start = start.each(first, |sum, first| sum + first);
+            first = first.each(second, |first, second| first + second);
+        }
+        Self([start, first, second])
     }
 
     /// Returns the parabola with the same sum in each column.

@@ -22,7 +22,7 @@ use embedded_graphics::transform::Transform;
 use crate::accel::drawable::Drawable;
 use crate::color::Sum;
 use crate::number::unsigned;
-use crate::render::Quality;
+use crate::render::{Block, Quality};
 use crate::render::{FrameBuilder, PreparedFrame, Report, Rows, Seam};
 use crate::shade::Shading;
 
@@ -135,7 +135,8 @@ impl<S: Drawable, Q: Quality, K: Shading> Rows<'_, S, Q, K> {
             let start = [unsigned(left), unsigned(y)];
             let (drawn, part) = match Q::SMOOTHNESS {
                 1 => self.in_row(generator, start, |colors| {
-                    let pixels = (0..width).map(|_| shown(colors.next_color()));
+                    let mut block = Block::NONE;
+                    let pixels = (0..width).map(|_| shown(colors.next_color(&mut block)));
                     target.fill_contiguous(&row, pixels)
                 }),
                 _ => self.in_smooth_row(generator, start, &mut seam.0, |colors| {

@@ -15,15 +15,15 @@
 mod between;
 mod marks;
 mod output;
-mod pieces;
+mod sink;
 
 pub(crate) use marks::{Marked, Marks, Unmarked};
 pub(super) use output::fill;
+pub(crate) use sink::Block;
 
 use crate::accel::{LONGEST_BLOCK, Window, World};
 use crate::camera::RowDirections;
 use crate::checker::PreparedChecker;
-use crate::color::Parabola;
 use crate::number::{Unit, to_u32};
 use crate::render::Quality;
 use crate::render::smooth::CHUNK;
@@ -32,7 +32,7 @@ use crate::scene::surface::checker_of;
 use crate::shade::highlight::sealed::Shading;
 use crate::trace::{Pixel, Progress, Stops, Traced, Tracer};
 use crate::vector::Direction;
-use pieces::Pieces;
+use sink::Sink;
 
 /// Returns the number of columns of a block in a picture of `width` columns. The wider the picture, the less
 /// changes from one pixel to the next. If it `is_dense`, borders lie close together.
@@ -86,16 +86,13 @@ pub(crate) struct Colors<'s, 'a, W: World, K, Q, M = Unmarked> {
     last: u32,
     /// Number of columns of a block.
     block: u32,
-    /// Colours of the block that `column` lies in.
-    colors: Pieces,
     /// The traced pixel after the block, and its column.
     end: (u32, End),
     /// What the paths of the traced pixels hit.
     stops: [Stops; SLOTS],
     /// A bit for each slot that is free.
     free: u32,
-    /// Column before which no path hits anything, if it is to the right of `column`. The colours in
-    /// `colors` then are those of such paths.
+    /// Column before which no path hits anything, if it is to the right of `until`.
     clear_until: u32,
     /// What the paths of the chunk's pixels met.
     pub(super) marks: M,
@@ -149,7 +146,7 @@ impl<'s, 'a, W: World, K: Shading, Q: Quality, M: Marks> Colors<'s, 'a, W, K, Q,
         const { Self::IS_SOUND };
         let block = Self::block(tracer, width);
         let first = column & !(block - 1);
-        let mut colors = Self {
+        Self {
             window: tracer.advance(first, first + block.max(SHORT)),
             tracer,
             directions,
@@ -160,88 +157,59 @@ impl<'s, 'a, W: World, K: Shading, Q: Quality, M: Marks> Colors<'s, 'a, W, K, Q,
                 false => width - 1,
             },
             block,
-            colors: Pieces::NONE,
             end: (u32::MAX, End::NONE),
             stops: [Stops::NONE; SLOTS],
             free: 0,
             clear_until: 0,
             marks: M::NONE,
-        };
-        if first < column {
-            colors.follow(first);
-            // The column may lie within a parabola.
-            colors.colors.expand();
         }
-        colors
     }
 
-    /// Computes the colours of the block that begins at column `first`.
+    /// Computes the colours of the block that begins at column `first`, unless no path there hits a shape.
     #[inline(never)]
-    fn follow(&mut self, first: u32) {
-        self.until = first + self.block;
-        if first < self.clear_until {
-            return;
-        }
+    fn follow(&mut self, first: u32, sink: &mut impl Sink) {
+        let last = first + self.block;
         // With the constant, other qualities do not compile what follows.
         if !Tracer::<W, K, Q>::IS_INTERPOLATED || self.block == 1 {
             if first > self.window.last {
                 self.window = self.tracer.advance(first, first + SHORT);
             }
-            return self.trace_each(first, first + 1);
+            self.until = last;
+            return self.trace_each(first, last, sink);
         }
-        let block = self.block;
-        self.colors.clear();
-        self.window = self.tracer.advance(first, first + block);
-        if self.clear(first) {
+        self.window = self.tracer.advance(first, last);
+        if let Some(until) = self.tracer.clear_until(&self.window) {
+            self.clear_until = (until & !(self.block - 1)).max(last);
             return;
         }
-        if first + block > self.last {
-            return self.trace_each(first, self.last + 1);
+        self.until = last;
+        if last > self.last {
+            return self.trace_each(first, self.last + 1, sink);
         }
         let start = match self.end {
             (column, end) if column == first => end,
             _ => self.trace(first, 0),
         };
         // The two ends of a block take turns.
-        let end = self.trace(first + block, 1 - start.slot);
-        self.end = (first + block, end);
+        let end = self.trace(last, 1 - start.slot);
+        self.end = (last, end);
         self.free = (1 << UNREAD) - 1 - 0b11;
-        self.set(first, start.traced);
-        self.between([first, first + block], [&start, &end], Progress::NONE);
-    }
-
-    /// Takes a block as clear if no path in the current window hits a shape. Returns whether it is.
-    ///
-    /// The block begins at `first`. Sets `clear_until`, and fills the block with the background.
-    #[inline(always)]
-    fn clear(&mut self, first: u32) -> bool {
-        let Some(until) = self.tracer.clear_until(&self.window) else {
-            return false;
-        };
-        self.clear_until = (until & !(self.block - 1)).max(first + self.block);
-        let curve = Parabola::constant(self.tracer.missed().sum);
-        self.colors.set_curve(0, self.block, curve);
-        true
+        self.set(first, start.traced, sink);
+        self.between([first, last], [&start, &end], Progress::NONE, sink);
     }
 
     /// Traces each pixel from column `first` to the one before `end`. Nothing is interpolated.
-    fn trace_each(&mut self, first: u32, end: u32) {
+    fn trace_each(&mut self, first: u32, end: u32, sink: &mut impl Sink) {
         for column in first..end {
             let traced = self.trace(column, UNREAD).traced;
-            self.set(column, traced);
+            self.set(column, traced, sink);
         }
-    }
-
-    /// Returns the place of a column in its block.
-    #[inline(always)]
-    fn place(&self, column: u32) -> usize {
-        (column & (self.block - 1)) as usize
     }
 
     /// Sets the colour of a column, and what its path met.
     #[inline(always)]
-    fn set(&mut self, column: u32, traced: Traced) {
-        self.colors.set(self.place(column), traced.sum);
+    fn set(&mut self, column: u32, traced: Traced, sink: &mut impl Sink) {
+        sink.set(column, traced.sum);
         self.marks.fill(column, 1, traced.signature);
     }
 

@@ -1,6 +1,6 @@
 //! Floor 7: the colours between two traced pixels of a block: interpolated, or divided further.
 
-use super::{Colors, End, Marks, SHORTEST, SLOTS, UNREAD};
+use super::{Colors, End, Marks, SHORTEST, SLOTS, Sink, UNREAD};
 use crate::accel::World;
 use crate::color::{Bend, Parabola};
 use crate::render::Quality;
@@ -16,22 +16,23 @@ impl<W: World, K: Shading, Q: Quality, M: Marks> Colors<'_, '_, W, K, Q, M> {
         [mut first, last]: [u32; 2],
         [outer, end]: [&End; 2],
         mut proved: Progress,
+        sink: &mut impl Sink,
     ) {
         let mut start = *outer;
         while first + 1 < last {
             let ends = [&start, end];
             if self.is_steady([first, last], ends, &mut proved) {
-                self.interpolate([first, last], ends, (Bend::ZERO, proved.samples));
+                self.interpolate([first, last], ends, (Bend::ZERO, proved.samples), sink);
                 break;
             }
             let Some([before, after]) = self.border([first, last], ends, &proved) else {
-                self.trace_each(first + 1, last);
+                self.trace_each(first + 1, last, sink);
                 break;
             };
             let mut middle = start;
             if first < before {
-                middle = self.traced_end(before);
-                self.between([first, before], [&start, &middle], proved);
+                middle = self.traced_end(before, sink);
+                self.between([first, before], [&start, &middle], proved, sink);
                 self.release(&start, outer);
             }
             if before < after {
@@ -39,7 +40,7 @@ impl<W: World, K: Shading, Q: Quality, M: Marks> Colors<'_, '_, W, K, Q, M> {
                 if after == last {
                     return;
                 }
-                middle = self.traced_end(after);
+                middle = self.traced_end(after, sink);
             }
             (first, start) = (after, middle);
         }
@@ -79,11 +80,11 @@ impl<W: World, K: Shading, Q: Quality, M: Marks> Colors<'_, '_, W, K, Q, M> {
 
     /// Traces the pixel of a column, sets its colour, and stores its hits in a free slot. There is one.
     #[inline(never)]
-    fn traced_end(&mut self, column: u32) -> End {
+    fn traced_end(&mut self, column: u32, sink: &mut impl Sink) -> End {
         let slot = self.free.trailing_zeros();
         self.free &= !(1 << slot);
         let end = self.trace(column, slot as usize);
-        self.set(column, end.traced);
+        self.set(column, end.traced, sink);
         end
     }
 
@@ -102,6 +103,7 @@ impl<W: World, K: Shading, Q: Quality, M: Marks> Colors<'_, '_, W, K, Q, M> {
         [first, last]: [u32; 2],
         ends: [&End; 2],
         (expected, samples): (Bend, Samples),
+        sink: &mut impl Sink,
     ) {
         let ([start, end], length) = (ends, last - first);
         let is_smooth = is_alike(ends) && samples == Samples::Three;
@@ -113,7 +115,7 @@ impl<W: World, K: Shading, Q: Quality, M: Marks> Colors<'_, '_, W, K, Q, M> {
                 true => middle.sum = middle.sum.half_way(end.traced.sum, expected),
                 false => middle = self.trace(first + 1, UNREAD).traced,
             }
-            return self.set(first + 1, middle);
+            return self.set(first + 1, middle, sink);
         }
         let half = length / 2;
         let middle = self.trace(first + half, UNREAD);
@@ -124,13 +126,18 @@ impl<W: World, K: Shading, Q: Quality, M: Marks> Colors<'_, '_, W, K, Q, M> {
         let most = if length > 32 { 2 } else { 4 };
         if is_smooth && bend.less(expected).is_within(most * Self::TOLERANCE) {
             self.marks.fill(first, length, start.traced.signature);
-            return self.colors.set_curve(self.place(first), length, curve);
+            return sink.set_curve(first, length, curve);
         }
         let expected = |length: u32| (curve.bend((length / 2).max(1)), Samples::Three);
-        self.interpolate([first, first + half], [start, &middle], expected(half));
-        self.set(first + half, middle.traced);
+        self.interpolate(
+            [first, first + half],
+            [start, &middle],
+            expected(half),
+            sink,
+        );
+        self.set(first + half, middle.traced, sink);
         let rest = expected(length - half);
-        self.interpolate([first + half, last], [&middle, end], rest);
+        self.interpolate([first + half, last], [&middle, end], rest, sink);
     }
 }
 

@@ -6,9 +6,6 @@ use crate::render::smooth::CHUNK;
 
 /// What a row keeps of the paths of a chunk's pixels.
 pub(crate) trait Marks {
-    /// Whether anything is kept.
-    const ARE_KEPT: bool;
-
     /// Nothing is kept yet.
     const NONE: Self;
 
@@ -23,7 +20,6 @@ pub(crate) trait Marks {
 pub(crate) struct Unmarked;
 
 impl Marks for Unmarked {
-    const ARE_KEPT: bool = false;
     const NONE: Self = Self;
 
     #[inline(always)]
@@ -42,7 +38,6 @@ pub(crate) struct Marked {
 }
 
 impl Marks for Marked {
-    const ARE_KEPT: bool = true;
     const NONE: Self = Self {
         paths: [PathMark::NONE; CHUNK as usize],
         beside: Beside::NONE,

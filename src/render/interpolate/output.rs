@@ -1,10 +1,11 @@
 //! Floor 7: hands out the colours of a row, one by one or into a slice. It does not know how they are
 //! found.
 
-use super::{Colors, Marks, SHORT, UNREAD};
+use super::sink::Pixels;
+use super::{Block, Colors, Marks, SHORT, Sink, UNREAD};
 use crate::accel::World;
 use crate::camera::RayGenerator;
-use crate::color::Sum;
+use crate::color::{Parabola, Sum};
 use crate::number::to_u32;
 use crate::render::Quality;
 use crate::shade::highlight::sealed::Shading;
@@ -12,19 +13,33 @@ use crate::trace::{Traced, Tracer};
 use crate::vector::Direction;
 
 impl<W: World, K: Shading, Q: Quality, M: Marks> Colors<'_, '_, W, K, Q, M> {
-    /// Returns the colour of the next column, which must lie in the picture.
+    /// Returns the colour of the next column, which must lie in the picture. `block` keeps those that come with it.
     #[inline(always)]
-    pub(crate) fn next_color(&mut self) -> Sum {
+    pub(crate) fn next_color(&mut self, block: &mut Block) -> Sum {
         let column = self.column;
         self.column = column + 1;
         if !Tracer::<W, K, Q>::IS_INTERPOLATED {
             return self.each(column);
         }
-        if column >= self.until {
-            self.follow(column);
-            self.colors.expand();
+        while column >= self.until {
+            self.step(Block::end(column), block);
         }
-        self.colors.color_of(self.place(column))
+        block.color_of(column)
+    }
+
+    /// Computes the next colours, but none from column `end` on if no path hits a shape.
+    #[inline(never)]
+    fn step(&mut self, end: u32, sink: &mut impl Sink) {
+        let first = self.until;
+        if first >= self.clear_until {
+            self.follow(first, sink);
+        }
+        if first < self.clear_until {
+            self.until = self.clear_until.min(end);
+            let (count, missed) = (self.until - first, self.tracer.missed());
+            self.marks.fill(first, count, missed.signature);
+            sink.set_curve(first, count, Parabola::constant(missed.sum));
+        }
     }
 
     /// Traces the pixel of the next column, in a quality that interpolates none.
@@ -53,16 +68,24 @@ impl<W: World, K: Shading, Q: Quality, M: Marks> Colors<'_, '_, W, K, Q, M> {
         self.along((false, column), direction, UNREAD)
     }
 
-    /// Returns the result of the paths of the columns from `first` to `last`, if no path hits anything; the next column then
-    /// is `last`. Otherwise the next column stays `first`, which must be the first of a block.
-    pub(crate) fn missed_until(&mut self, first: u32, last: u32) -> Option<Traced> {
+    /// Fills `pixels` as [`Colors::fill`] does, unless no path hits anything up to column `last`. Then the next column is
+    /// `last`, and the result of these paths is returned. The next column must be the first of a block.
+    pub(crate) fn fill_or_miss<C: Copy>(
+        &mut self,
+        last: u32,
+        pixels: &mut [C],
+        shown: impl Fn(Sum) -> C,
+    ) -> Option<Traced> {
+        let first = self.column;
         if first >= self.clear_until && self.block > 1 {
-            self.follow(first);
+            self.follow(first, &mut Pixels::new(first, pixels, &shown));
         }
-        (last < self.clear_until).then(|| {
+        if last < self.clear_until {
             (self.column, self.until) = (last, last);
-            self.tracer.missed()
-        })
+            return Some(self.tracer.missed());
+        }
+        self.fill(pixels, shown);
+        None
     }
 
     /// Returns the result of the path through the pixel of a column, which comes after the last one that was handed out.
@@ -79,37 +102,19 @@ impl<W: World, K: Shading, Q: Quality, M: Marks> Colors<'_, '_, W, K, Q, M> {
     /// Fills `pixels` with the next colours, each converted by `shown`. All pixels must lie in the
     /// picture. They may end within a parabola, so no further colour of the row may be asked for.
     #[inline(always)]
-    pub(crate) fn fill<C: Copy>(&mut self, mut pixels: &mut [C], shown: impl Fn(Sum) -> C) {
+    pub(crate) fn fill<C: Copy>(&mut self, pixels: &mut [C], shown: impl Fn(Sum) -> C) {
         if !Tracer::<W, K, Q>::IS_INTERPOLATED {
             for pixel in pixels {
-                *pixel = shown(self.next_color());
+                *pixel = shown(self.each(self.column));
+                self.column += 1;
             }
             return;
         }
-        while !pixels.is_empty() {
-            if self.column >= self.until {
-                self.follow(self.column);
-            }
-            let clear = self.clear_until.saturating_sub(self.column);
-            let known = match clear {
-                0 => self.until - self.column,
-                _ => clear,
-            };
-            let (now, _) = pixels.split_at_mut(pixels.len().min(known as usize));
-            let count = match clear {
-                0 => self.colors.fill(self.place(self.column), now, &shown),
-                // All pixels of a clear part have one colour.
-                _ => {
-                    if M::ARE_KEPT {
-                        let path = self.tracer.missed().signature;
-                        self.marks.fill(self.column, to_u32(now.len()), path);
-                    }
-                    fill(now, shown(self.colors.color_of(0)));
-                    now.len()
-                }
-            };
-            self.column += to_u32(count);
-            pixels = pixels.get_mut(count..).unwrap_or_default();
+        let first = self.column;
+        self.column = first + to_u32(pixels.len());
+        let mut sink = Pixels::new(first, pixels, &shown);
+        while self.until < self.column {
+            self.step(self.column, &mut sink);
         }
     }
 }

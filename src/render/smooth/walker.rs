@@ -65,16 +65,16 @@ impl<W: World, K: Shading, Q: Quality> Walker<'_, '_, W, K, Q> {
         }
         found.begin(line, first);
         let last = (first + CHUNK).min(self.width);
-        if let Some(all) = self.row.missed_until(first, last).map(Corner::of) {
-            return found.flatten(all);
-        }
         let [walked @ .., after] = &mut found.corners;
         let count = CHUNK.min(self.width + 1 - first);
         let pixels = walked.get_mut(..count as usize).unwrap_or_default();
-        self.row.fill(pixels, |sum| Corner {
+        let missed = self.row.fill_or_miss(last, pixels, |sum| Corner {
             color: Levels::of(sum),
             ..Corner::NONE
         });
+        if let Some(all) = missed.map(Corner::of) {
+            return found.flatten(all);
+        }
         let paths = &self.row.marks.paths;
         let one = paths[0];
         let mut is_one = true;
