@@ -115,11 +115,11 @@
 //!
 //! | profile | castle flash | castle instr/pixel | corner1 flash | corner1 instr/pixel |
 //! |---|--:|--:|--:|--:|
-//! | lto = true, codegen-units = 1 | 52524 | 1420 | 14864 | 220 |
-//! | Cargo's default release | 69964 | 1534 | 20368 | 283 |
-//! | lto = true, codegen-units = 1, opt-level = "s" | 50600 | 2482 | 16372 | 295 |
-//! | lto = true, codegen-units = 1, opt-level = "z" | 47100 | 3944 | 17032 | 484 |
-//! | Cargo's default dev (debug) | 594032 | 39908 | 545916 | 6252 |
+//! | lto = true, codegen-units = 1 | 52564 | 1406 | 14948 | 211 |
+//! | Cargo's default release | 68124 | 1497 | 20232 | 251 |
+//! | lto = true, codegen-units = 1, opt-level = "s" | 50556 | 2458 | 16172 | 277 |
+//! | lto = true, codegen-units = 1, opt-level = "z" | 46624 | 3913 | 16388 | 456 |
+//! | Cargo's default dev (debug) | 590344 | 39775 | 542228 | 6170 |
 //!
 //! Every profile draws the same picture. If flash is scarce, the quality [`Small`](quality::Small) saves
 //! more than an `opt-level`.

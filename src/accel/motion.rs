@@ -74,8 +74,8 @@ use crate::vector::Position;
 ///
 /// | core | scene | move | preparation | flash |
 /// |---|---|--:|--:|--:|
-/// | m0 | castle | 3336 | 367376 | 108.5 % |
-/// | m0 | mirror1 | 2822 | 57207 | 107.2 % |
+/// | m0 | castle | 3336 | 367376 | 108.6 % |
+/// | m0 | mirror1 | 2822 | 57207 | 107.1 % |
 /// | m0 | primitives | 2709 | 22039 | 109.5 % |
 /// | m3 | castle | 2017 | 88127 | 109.8 % |
 /// | m3 | mirror1 | 1621 | 14007 | 110.3 % |
