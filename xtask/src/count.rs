@@ -150,7 +150,7 @@ mod tests {
 
     const MOST_CODE: usize = 19_791;
 
-    const MOST_OUTSIDE: usize = 37_060;
+    const MOST_OUTSIDE: usize = 37_061;
 
     /// Most packages that a newcomer's first command compiles.
     const MOST_PACKAGES: usize = 62;
