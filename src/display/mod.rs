@@ -22,8 +22,7 @@ use embedded_graphics::transform::Transform;
 use crate::accel::drawable::Drawable;
 use crate::color::Sum;
 use crate::number::unsigned;
-use crate::render::{Block, Quality};
-use crate::render::{FrameBuilder, PreparedFrame, Report, Rows, Seam};
+use crate::render::{Buffer, FrameBuilder, PreparedFrame, Quality, Report, Rows, Seam};
 use crate::shade::Shading;
 
 /// Widest picture with smooth edges of which [`Rows::draw_area`] keeps what a row leaves to the next one, in parts of 32
@@ -135,8 +134,8 @@ impl<S: Drawable, Q: Quality, K: Shading> Rows<'_, S, Q, K> {
             let start = [unsigned(left), unsigned(y)];
             let (drawn, part) = match Q::SMOOTHNESS {
                 1 => self.in_row(generator, start, |colors| {
-                    let mut block = Block::NONE;
-                    let pixels = (0..width).map(|_| shown(colors.next_color(&mut block)));
+                    let mut buffer = Buffer::NONE;
+                    let pixels = (0..width).map(|_| shown(colors.next_color(&mut buffer)));
                     target.fill_contiguous(&row, pixels)
                 }),
                 _ => self.in_smooth_row(generator, start, &mut seam.0, |colors| {

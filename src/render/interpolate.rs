@@ -6,8 +6,8 @@
 //! parabola may be further off than the quality's tolerance, both halves are treated in the same way. So they are
 //! if it is not sure what lies between, but then the block is divided at a border if one is known (Akimoto, Mase,
 //! Suenaga, "Pixel-Selected Ray Tracing", IEEE Computer Graphics and Applications 11(4), 1991, without guesses).
-//! Each pixel is traced instead where they are eight or fewer, or where both ends show something in a curved mirror and
-//! no border is known between them.
+//! Every pixel between two traced ones is traced as well if they are at most eight columns apart, or if both show
+//! something in a curved mirror and no border is known between them.
 //!
 //! Blocks are aligned, and a block's colours depend on its own pixels only. So a part of a row has the
 //! colours that it has in the whole row.
@@ -19,7 +19,7 @@ mod sink;
 
 pub(crate) use marks::{Marked, Marks, Unmarked};
 pub(super) use output::fill;
-pub(crate) use sink::Block;
+pub(crate) use sink::Buffer;
 
 use crate::accel::{LONGEST_BLOCK, Window, World};
 use crate::camera::RowDirections;
@@ -35,7 +35,7 @@ use crate::vector::Direction;
 use sink::Sink;
 
 /// Returns the number of columns of a block in a picture of `width` columns. The wider the picture, the less
-/// changes from one pixel to the next. If it `is_dense`, borders lie close together.
+/// changes from one pixel to the next. Where borders lie close together, it `is_dense`, and blocks are half as long.
 pub(crate) const fn block_of(width: u32, is_dense: bool) -> u32 {
     let most = LONGEST_BLOCK / if width < 160 { 2 } else { 1 };
     if is_dense { most / 2 } else { most }
@@ -165,7 +165,8 @@ impl<'s, 'a, W: World, K: Shading, Q: Quality, M: Marks> Colors<'s, 'a, W, K, Q,
         }
     }
 
-    /// Computes the colours of the block that begins at column `first`, unless no path there hits a shape.
+    /// Computes the colours of the block that begins at column `first`. If no path there hits a shape, it moves
+    /// `clear_until` behind the block instead.
     #[inline(never)]
     fn follow(&mut self, first: u32, sink: &mut impl Sink) {
         let last = first + self.block;

@@ -107,7 +107,9 @@ impl<W: World, K: Shading, Q: Quality, M: Marks> Colors<'_, '_, W, K, Q, M> {
     ) {
         let ([start, end], length) = (ends, last - first);
         let is_smooth = is_alike(ends) && samples == Samples::Three;
-        let 2.. = length else { return };
+        if length < 2 {
+            return;
+        }
         if length == 2 {
             // Traced, if the expected second difference is more than four times the tolerance.
             let mut middle = start.traced;
@@ -129,12 +131,8 @@ impl<W: World, K: Shading, Q: Quality, M: Marks> Colors<'_, '_, W, K, Q, M> {
             return sink.set_curve(first, length, curve);
         }
         let expected = |length: u32| (curve.bend((length / 2).max(1)), Samples::Three);
-        self.interpolate(
-            [first, first + half],
-            [start, &middle],
-            expected(half),
-            sink,
-        );
+        let part = expected(half);
+        self.interpolate([first, first + half], [start, &middle], part, sink);
         self.set(first + half, middle.traced, sink);
         let rest = expected(length - half);
         self.interpolate([first + half, last], [&middle, end], rest, sink);

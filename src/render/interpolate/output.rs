@@ -2,7 +2,7 @@
 //! found.
 
 use super::sink::Pixels;
-use super::{Block, Colors, Marks, SHORT, Sink, UNREAD};
+use super::{Buffer, Colors, Marks, SHORT, Sink, UNREAD};
 use crate::accel::World;
 use crate::camera::RayGenerator;
 use crate::color::{Parabola, Sum};
@@ -13,18 +13,19 @@ use crate::trace::{Traced, Tracer};
 use crate::vector::Direction;
 
 impl<W: World, K: Shading, Q: Quality, M: Marks> Colors<'_, '_, W, K, Q, M> {
-    /// Returns the colour of the next column, which must lie in the picture. `block` keeps those that come with it.
+    /// Returns the colour of the next column, which must lie in the picture. `buffer` holds the colours that are computed
+    /// together with it; it must be the same for the whole row.
     #[inline(always)]
-    pub(crate) fn next_color(&mut self, block: &mut Block) -> Sum {
+    pub(crate) fn next_color(&mut self, buffer: &mut Buffer) -> Sum {
+        if !Tracer::<W, K, Q>::IS_INTERPOLATED {
+            return self.each();
+        }
         let column = self.column;
         self.column = column + 1;
-        if !Tracer::<W, K, Q>::IS_INTERPOLATED {
-            return self.each(column);
-        }
         while column >= self.until {
-            self.step(Block::end(column), block);
+            self.step(Buffer::end(column), buffer);
         }
-        block.color_of(column)
+        buffer.color_of(column)
     }
 
     /// Computes the next colours, but none from column `end` on if no path hits a shape.
@@ -44,7 +45,9 @@ impl<W: World, K: Shading, Q: Quality, M: Marks> Colors<'_, '_, W, K, Q, M> {
 
     /// Traces the pixel of the next column, in a quality that interpolates none.
     #[inline(always)]
-    fn each(&mut self, column: u32) -> Sum {
+    fn each(&mut self) -> Sum {
+        let column = self.column;
+        self.column = column + 1;
         if !Tracer::<W, K, Q>::IS_PLAIN && column > self.window.last {
             self.window = self.tracer.advance(column, column + SHORT);
         }
@@ -105,8 +108,7 @@ impl<W: World, K: Shading, Q: Quality, M: Marks> Colors<'_, '_, W, K, Q, M> {
     pub(crate) fn fill<C: Copy>(&mut self, pixels: &mut [C], shown: impl Fn(Sum) -> C) {
         if !Tracer::<W, K, Q>::IS_INTERPOLATED {
             for pixel in pixels {
-                *pixel = shown(self.each(self.column));
-                self.column += 1;
+                *pixel = shown(self.each());
             }
             return;
         }

@@ -1,11 +1,11 @@
-//! Floor 7: where the colours of a row go: into a slice of pixels, or into a block from which they are handed out one by
-//! one. It does not know how they are found.
+//! Floor 7: where the colours of a row go: into a slice of pixels, or into a buffer, from which they are handed out one
+//! by one. It does not know how they are found.
 
 use super::output::fill;
 use crate::color::{LONGEST, Parabola, Sum};
 use crate::number::to_u32;
 
-/// Takes the colours of a row's columns, in any order. Colours of columns that nobody asked for are dropped.
+/// Takes the colours of a row's columns, in any order. They may be more than were asked for.
 pub(crate) trait Sink {
     /// Takes the colour of one column.
     fn set(&mut self, column: u32, sum: Sum);
@@ -14,7 +14,8 @@ pub(crate) trait Sink {
     fn set_curve(&mut self, column: u32, count: u32, curve: Parabola);
 }
 
-/// The pixels of a row from a column on. `shown` converts each colour.
+/// The pixels of a row from column `first` on. `shown` converts a colour to that of a pixel. Colours of other columns are
+/// dropped.
 pub(super) struct Pixels<'p, C, F> {
     first: u32,
     pixels: &'p mut [C],
@@ -57,14 +58,14 @@ impl<C: Copy, F: Fn(Sum) -> C> Sink for Pixels<'_, C, F> {
     }
 }
 
-/// The colours of [`LONGEST`] columns at a fixed place.
-pub(crate) struct Block([Sum; LONGEST]);
+/// The colours of [`LONGEST`] columns. The first of them is a multiple of that number.
+pub(crate) struct Buffer([Sum; LONGEST]);
 
-impl Block {
+impl Buffer {
     /// No colours.
     pub(crate) const NONE: Self = Self([Sum::ZERO; LONGEST]);
 
-    /// Returns the column after the block that a column lies in.
+    /// Returns the column after those that the buffer holds together with `column`.
     pub(super) fn end(column: u32) -> u32 {
         let last = to_u32(LONGEST) - 1;
         (column | last) + 1
@@ -77,7 +78,7 @@ impl Block {
     }
 }
 
-impl Sink for Block {
+impl Sink for Buffer {
     #[inline(always)]
     fn set(&mut self, column: u32, sum: Sum) {
         self.0[column as usize % LONGEST] = sum;
@@ -114,18 +115,18 @@ mod tests {
     }
 
     #[test]
-    fn pixels_are_those_of_the_block_wherever_they_begin_and_end() {
-        let mut block = Block::NONE;
-        draw(&mut block);
+    fn pixels_are_those_of_the_buffer_wherever_they_begin_and_end() {
+        let mut buffer = Buffer::NONE;
+        draw(&mut buffer);
         let colors = [grey(1 << 21), grey(1 << 20), grey(1 << 22), grey(1 << 19)];
-        assert_eq!([128, 129, 140, 141].map(|it| block.color_of(it)), colors);
+        assert_eq!([128, 129, 140, 141].map(|it| buffer.color_of(it)), colors);
         for first in 120..192 {
             for end in first..200 {
                 let mut pixels = [Sum::ZERO; 80];
                 let pixels = &mut pixels[..end - first];
                 draw(&mut Pixels::new(to_u32(first), pixels, &|sum| sum));
                 for (column, pixel) in (first..).zip(pixels) {
-                    let expected = block.color_of(to_u32(column));
+                    let expected = buffer.color_of(to_u32(column));
                     let is_drawn = (128..192).contains(&column);
                     let expected = if is_drawn { expected } else { Sum::ZERO };
                     assert_eq!(*pixel, expected, "{column} from {first} to {end}");
