@@ -29,24 +29,14 @@ impl Pencil {
     }
 }
 
-/// Returns the last column of the picture to which a light surely shines on a plane as in `column`. No plane hides
-/// the light.
-pub(crate) fn until<W: World>(
-    world: &W,
-    pencil: &Pencil,
-    plane: &PreparedPlane,
-    light: ScaledPoint,
-    column: u32,
-) -> u32 {
-    let borders = borders_from(column, world, (pencil, plane, light));
-    borders.until(column).unwrap_or(column)
-}
+/// The rays of a row, a plane that they meet, and the position of a light.
+pub(crate) type Shadow<'a> = (&'a Pencil, &'a PreparedPlane, ScaledPoint);
 
 /// Returns the borders of the shadows of a light on a plane, from a column on. No plane hides the light.
-fn borders_from<W: World>(
+pub(crate) fn borders_from<W: World>(
     column: u32,
     world: &W,
-    (pencil, plane, light): (&Pencil, &PreparedPlane, ScaledPoint),
+    (pencil, plane, light): Shadow<'_>,
 ) -> Borders {
     let mut borders = Borders::new(column, pencil.row.axis.width + LONGEST_BLOCK);
     shadows(world, pencil, plane, light, &mut borders);
@@ -63,30 +53,23 @@ pub(crate) struct Cast {
     pub(crate) light: usize,
 }
 
-/// Keeps the borders of the shadows that a row asked for last. The borders are `None` if there are more than fit.
+/// Keeps the borders of shadows that a row asked for last: of lights with even numbers, and of those with odd ones. So two
+/// far lights do not take each other's place.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct RowShadows(Option<(Cast, Option<Borders>)>);
+pub(crate) struct RowShadows([Option<(Cast, Borders)>; 2]);
 
 impl RowShadows {
     /// No shadows.
-    pub(crate) const NONE: Self = Self(None);
+    pub(crate) const NONE: Self = Self([None; 2]);
 
-    /// Returns the borders of shadows in the whole row, `None` if there are more than fit. `shadow` holds the row's
-    /// rays, the plane and the position of the light. No plane hides the light.
-    pub(crate) fn of<W: World>(
-        &mut self,
-        world: &W,
-        cast: Cast,
-        shadow: (&Pencil, &PreparedPlane, ScaledPoint),
-    ) -> Option<Borders> {
-        match self.0 {
-            Some((kept, borders)) if kept == cast => borders,
-            _ => {
-                let borders = Some(borders_from(0, world, shadow)).filter(Borders::is_whole);
-                self.0 = Some((cast, borders));
-                borders
-            }
+    /// Returns the borders of shadows in the whole row. No plane hides the light.
+    pub(crate) fn of<W: World>(&mut self, world: &W, cast: Cast, shadow: Shadow<'_>) -> &Borders {
+        let kept = &mut self.0[cast.light % 2];
+        if kept.is_none_or(|(of, _)| of != cast) {
+            *kept = None;
         }
+        let (_, borders) = kept.get_or_insert_with(|| (cast, borders_from(0, world, shadow)));
+        borders
     }
 }
 

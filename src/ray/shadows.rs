@@ -115,11 +115,9 @@ pub struct Borders {
     /// First column that the borders hold for, and the column after the last.
     first: u16,
     end: u16,
-    /// Whether every border has been noted.
-    is_whole: bool,
 }
 
-/// Largest number of borders that are noted.
+/// Largest number of borders that are noted. In a row with more of them, little lies between two.
 const BORDERS: usize = 12;
 
 impl Borders {
@@ -129,7 +127,6 @@ impl Borders {
         count: 0,
         first: 0,
         end: 0,
-        is_whole: true,
     };
 
     /// Starts without a border, from one column up to another.
@@ -141,7 +138,7 @@ impl Borders {
         }
     }
 
-    /// Adds a border. If there is no room, the columns after it do not count.
+    /// Adds a border. If there is no room, nothing is known after the first column.
     pub(crate) fn add(&mut self, border: Border) {
         let Border { first, last } = border;
         if last < i32::from(self.first) || first >= i32::from(self.end) {
@@ -153,10 +150,7 @@ impl Borders {
                 *free = place;
                 self.count += 1;
             }
-            None => {
-                self.end = self.end.min(place[0].max(self.first));
-                self.is_whole = false;
-            }
+            None => self.end(),
         }
     }
 
@@ -175,14 +169,8 @@ impl Borders {
         Some(until.into())
     }
 
-    /// Tests whether every border has been noted.
-    pub(crate) fn is_whole(&self) -> bool {
-        self.is_whole
-    }
-
     /// Nothing is known after the first column.
     pub(crate) fn end(&mut self) {
-        self.is_whole = false;
         self.count = 0;
         self.end = self.first + 1;
     }

@@ -132,7 +132,7 @@ fn trails_of_different_lengths_differ() {
 }
 
 #[test]
-fn borders_without_room_are_not_whole() {
+fn more_borders_than_fit_end_what_is_known() {
     let mut borders = Borders::new(0, 240);
     let at = |column| Border {
         first: column,
@@ -142,12 +142,10 @@ fn borders_without_room_are_not_whole() {
     borders.add(at(-3));
     for column in 1..13 {
         borders.add(at(10 * column));
-        assert!(borders.is_whole());
+        assert!(!borders.has_ended());
     }
+    assert_eq!((borders.until(0), borders.until(125)), (Some(9), Some(240)));
     borders.add(at(200));
-    assert!(!borders.is_whole());
-    assert_eq!((borders.until(125), borders.until(230)), (Some(199), None));
-    let mut borders = Borders::new(0, 240);
-    borders.end();
-    assert!(!borders.is_whole());
+    assert!(borders.has_ended());
+    assert_eq!((borders.until(0), borders.until(125)), (Some(0), None));
 }

@@ -3,11 +3,9 @@
 use super::stops::Stop;
 use super::{PathQuality, Progress, Tracer};
 use crate::accel::World;
-use crate::accel::shadows::{self, Cast, Pencil};
-use crate::ray::ScaledPoint;
+use crate::accel::shadows::{self, Cast, Shadow};
 use crate::scene::access::ShapeId;
 use crate::shade::highlight::sealed::Shading;
-use crate::shape::plane::PreparedPlane;
 
 impl<W: World, K: Shading, Q: PathQuality> Tracer<'_, W, K, Q> {
     /// Tests whether no shadow of a far light begins or ends between two columns, if they show a plane at this level of a
@@ -78,7 +76,7 @@ impl<W: World, K: Shading, Q: PathQuality> Tracer<'_, W, K, Q> {
     fn shines_until(
         &mut self,
         (mirrors, plane, light): (&[Stop], ShapeId, usize),
-        shadow: (&Pencil, &PreparedPlane, ScaledPoint),
+        shadow: Shadow<'_>,
         column: u32,
     ) -> Option<u32> {
         let mirror = match mirrors {
@@ -91,13 +89,9 @@ impl<W: World, K: Shading, Q: PathQuality> Tracer<'_, W, K, Q> {
             plane,
             light,
         });
-        let kept = cast.zip(self.shadows.as_deref_mut());
-        let kept = kept.and_then(|(cast, shadows)| shadows.of(self.world, cast, shadow));
-        let (pencil, plane, light) = shadow;
-        let kept = kept.and_then(|borders| borders.until(column));
-        kept.or_else(|| {
-            let until = shadows::until(self.world, pencil, plane, light, column);
-            (until > column).then_some(until)
-        })
+        match cast.zip(self.shadows.as_deref_mut()) {
+            Some((cast, shadows)) => shadows.of(self.world, cast, shadow).until(column),
+            None => shadows::borders_from(column, self.world, shadow).until(column),
+        }
     }
 }

@@ -11,6 +11,13 @@ use crate::scene::{Room, RuntimeScene, Surface};
 
 type Built = Scene<Room<3, 1, 2, 1, 1, 2, 2>>;
 
+/// Returns the last column to which a light surely shines as in `column`.
+fn until(scene: &Built, shadow: Shadow<'_>, column: u32) -> u32 {
+    borders_from(column, scene, shadow)
+        .until(column)
+        .unwrap_or(column)
+}
+
 /// Distance of a light that is a sun.
 const SUN: f64 = 1e6;
 
@@ -98,7 +105,7 @@ fn light_shines_alike_up_to_the_border_of_a_shadow() {
                     column += 1;
                     continue;
                 };
-                let until = until(&scene, &pencil, &parts.planes[0], light, column).min(95);
+                let until = until(&scene, (&pencil, &parts.planes[0], light), column).min(95);
                 shaded += u32::from(!is_lit);
                 for other in column..=until {
                     let same = lit(other).is_none_or(|other| other == is_lit);
@@ -144,8 +151,8 @@ fn shadows_kept_for_a_row_end_where_those_of_a_column_end() {
             let mut shadows = RowShadows::NONE;
             for column in 0..96 {
                 let kept = shadows.of(&scene, cast, (&pencil, plane, light));
-                let anew = until(&scene, &pencil, plane, light, column);
-                if let Some(kept) = kept.and_then(|borders| borders.until(column)) {
+                let anew = until(&scene, (&pencil, plane, light), column);
+                if let Some(kept) = kept.until(column) {
                     assert_eq!(kept, anew, "row {row}, column {column}");
                     compared += 1;
                 }
@@ -180,7 +187,7 @@ fn shadows_of_another_light_are_found_anew() {
             light,
         };
         let shadow = (&pencil, &parts.planes[0], parts.lights[light].place);
-        let borders = shadows.of(&scene, cast, shadow).unwrap();
+        let borders = shadows.of(&scene, cast, shadow);
         borders.until(0)
     };
     let [one, other] = [of(0), of(1)];
