@@ -1,8 +1,8 @@
 //! The bounded shapes of a scene, prepared for rays from one light, and the shadow test from the light.
 //!
-//! Bound: used for a light that is near, outside of all spheres, and not too far from any sphere for
-//! its size: the length of the tangents must tell what the sphere hides ([`PreparedLight::is_plain`]).
-//! The shadow test of a sphere then needs no root. The result differs from the plain test only where
+//! Bound: used for a light that is near and outside of all spheres ([`PreparedLight::is_plain`]). The length of the
+//! tangents then tells what a sphere hides, without a root. A sphere that is too small for its distance from the light
+//! is tested as any ray tests it. The result differs from the plain test only where
 //! rounding decides, by a few steps of the grid: the ray runs from the light to the surface, not from
 //! the surface to the light.
 

@@ -16,8 +16,8 @@ pub(crate) struct LightVisibility {
     /// Position of the camera.
     pub(crate) from: ScaledPoint,
     /// One bit for each light that a plane hides from all surfaces. Set with the bit in `unclear`, no plane hides
-    /// the light, but its tables do not tell what bounded shapes hide. Such a light is far, stands inside of a
-    /// sphere or too far from a small sphere, or the camera is inside of a sphere.
+    /// the light, but its tables do not tell what bounded shapes hide. Such a light is far or stands inside of a
+    /// sphere, or the camera is inside of a sphere.
     hidden: u32,
     /// One bit for each light for which each ray must be tested. Alone, a plane may hide the light from some
     /// surfaces: the light or the camera is within epsilon of a plane, or there are more than 32 lights.

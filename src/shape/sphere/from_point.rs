@@ -10,7 +10,7 @@ pub struct SphereFromPoint {
     /// Vector from the point to the sphere's centre, in steps.
     pub(super) way: Vector,
     /// Length of the tangents from the point to the sphere, in steps; `i32::MIN` if the point lies
-    /// inside.
+    /// inside. It is 0 if the point is a light and the tangents do not tell what the sphere hides.
     pub(super) tangent: i32,
 }
 

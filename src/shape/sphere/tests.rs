@@ -327,3 +327,46 @@ fn ray_from_the_surface_outwards_is_not_blocked_though_it_starts_some_steps_insi
         );
     }
 }
+
+/// A sphere that is so small for its distance from a light that its tangents tell nothing hides what it hides from a ray.
+#[test]
+fn a_small_sphere_far_from_a_light_hides_what_is_behind_it() {
+    let (radius, far) = (1 << 15, 1 << 26);
+    let sphere = PreparedSphere::new(Point::ORIGIN, Length::from_bits(radius), MaterialId(0));
+    let light = Point::new(-far, 0, 0);
+    let from = sphere.seen_from_light(light);
+    assert!(sphere.is_told(&from));
+    assert_eq!(from.tangent, 0);
+    for aside in [0, 9, 10, 15, 17, 25] {
+        // In sixteenths of the radius, as far from the light's axis where the ray passes the centre.
+        let aside = aside * radius / 16;
+        for (x, is_behind) in [
+            (-far / 2, false),
+            (-2 * radius, false),
+            (2 * radius, true),
+            (far / 2, true),
+        ] {
+            let reach = f64::from(far + x) / f64::from(far);
+            let end = Point::new(x, (f64::from(aside) * reach) as i32, 0);
+            let (direction, distance) = light.to(end).direction_and_length();
+            let ray = LightRay {
+                direction,
+                reach: distance,
+                epsilon: Length::from_bits(64),
+                end,
+            };
+            let hides = is_behind && aside < radius;
+            assert_eq!(
+                sphere.occludes::<false>(&from, &ray, Own::No),
+                hides,
+                "{aside} {x}"
+            );
+            assert_eq!(
+                sphere.occludes::<true>(&from, &ray, Own::No),
+                hides,
+                "{aside} {x}"
+            );
+            assert!(!sphere.occludes::<false>(&from, &ray, Own::Outside));
+        }
+    }
+}
