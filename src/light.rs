@@ -105,6 +105,8 @@ pub struct PreparedLight {
     /// Whether shadows can be tested with the values that are prepared for each pair of light and shape.
     /// The light must be near and outside of all spheres.
     pub(crate) is_plain: bool,
+    /// Whether a sphere is so small for its distance from the light that it has to be tested by itself.
+    pub(crate) has_small: bool,
     kind: Kind,
 }
 
@@ -152,6 +154,7 @@ impl PreparedLight {
         place: ScaledPoint::ORIGIN,
         color: Color::BLACK,
         is_plain: false,
+        has_small: false,
         kind: Kind::Lamp,
     };
 

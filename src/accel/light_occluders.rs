@@ -39,8 +39,7 @@ macro_rules! light_occluders {
 
             /// Prepares a light and the shapes of a scene for shadow tests from the light.
             ///
-            /// Sets [`PreparedLight::is_plain`]: the light is near, and each shape can be tested from
-            /// it.
+            /// Sets [`PreparedLight::is_plain`]: the light is near and outside of all spheres.
             pub(super) const fn new(mut light: PreparedLight, parts: &Parts<'_>) -> Self {
                 let mut occluders = Self::NONE;
                 let ScaledPoint { point, scale } = light.place;
@@ -49,12 +48,16 @@ macro_rules! light_occluders {
                     $(
                         let mut index = 0;
                         while index < parts.$list.len() && index < $room {
-                            let from = parts.$list[index].seen_from_light(point);
-                            light.is_plain &= parts.$list[index].is_told(&from);
-                            occluders.$list[index] = from;
+                            occluders.$list[index] = parts.$list[index].seen_from_light(point);
                             index += 1;
                         }
                     )*
+                    let mut index = 0;
+                    while index < parts.spheres.len() && index < occluders.spheres.len() {
+                        light.is_plain &= !occluders.spheres[index].is_around();
+                        light.has_small |= occluders.spheres[index].is_small();
+                        index += 1;
+                    }
                 }
                 occluders.light = light;
                 occluders
@@ -80,10 +83,12 @@ macro_rules! light_occluders {
                 }
             )*
 
-            /// Decides again whether all views tell what the shapes hide.
+            /// Decides again whether the light is outside of all spheres, and whether one is small for its distance.
             pub(super) fn settle(&mut self, parts: &Parts<'_>) {
-                self.light.is_plain = self.light.place.scale == 0
-                    $(&& self.$list.as_ref().iter().zip(parts.$list).all(|(view, shape)| shape.is_told(view)))*;
+                let spheres = || self.spheres.as_ref().iter().take(parts.spheres.len());
+                self.light.is_plain =
+                    self.light.place.scale == 0 && !spheres().any(|it| it.is_around());
+                self.light.has_small = spheres().any(|it| it.is_small());
             }
 
             /// Prepares the views from a light that has changed.
@@ -203,11 +208,30 @@ pub(crate) fn occluded<W: World, Q: CullingQuality, const PRECISE: bool>(
     // shapes a bit, the table still takes less time, but not among the triangles of a mesh.
     let parts = world.parts();
     let is_large = parts.bounded() > 2 * SETS || W::NEEDS.triangles && hierarchy::has_mesh(&parts);
-    if hierarchy::is_used::<W, Q>(world) && is_large {
-        return is_occluded_in_crowd::<W, PRECISE>(world, surface, light, &ray);
-    }
-    let set = light_set::<W, Q>(world, index, direction);
-    any_occludes::<W, PRECISE>(world, set, surface, light, &ray)
+    let is_hidden = match hierarchy::is_used::<W, Q>(world) && is_large {
+        true => is_occluded_in_crowd::<W, PRECISE>(world, surface, light, &ray),
+        false => {
+            let set = light_set::<W, Q>(world, index, direction);
+            any_occludes::<W, PRECISE>(world, set, surface, light, &ray)
+        }
+    };
+    is_hidden || light.light.has_small && small_occludes(world, surface, light, &ray)
+}
+
+/// Tests whether a sphere that is small for its distance from the light lies between the light and the point on `surface`
+/// where `ray` ends.
+#[cold]
+#[inline(never)]
+fn small_occludes<W: World>(
+    world: &W,
+    surface: &Surface<'_>,
+    light: &LightOccluders<W::Room>,
+    ray: &LightRay,
+) -> bool {
+    let spheres = world.parts().spheres.iter().zip(light.spheres());
+    (0..)
+        .zip(spheres)
+        .any(|(number, (sphere, from))| sphere.is_between(from, ray, own(surface, number)))
 }
 
 #[cfg(test)]

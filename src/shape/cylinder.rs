@@ -197,12 +197,6 @@ impl PreparedCylinder {
         let reach = square_root(square) + Self::LINKS;
         (Point::at(at), reach)
     }
-
-    /// Tests whether the prepared values decide which points the cylinder hides from a light. They
-    /// always do, so the result is `true`.
-    pub(crate) const fn is_told(&self, _: &CylinderFromLight) -> bool {
-        true
-    }
 }
 
 impl Bounded for PreparedCylinder {

@@ -151,12 +151,6 @@ impl PreparedDisc {
         self.seen_from(light)
     }
 
-    /// Tests whether the prepared values decide which points the disc hides from a light. They always
-    /// do, so the result is `true`.
-    pub(crate) const fn is_told(&self, _: &FlatFromPoint) -> bool {
-        true
-    }
-
     /// Returns the distance at which a ray hits the disc, within `range`. `from` was prepared for the
     /// ray's origin.
     ///

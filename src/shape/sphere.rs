@@ -138,7 +138,7 @@ impl PreparedSphere {
     }
 
     /// Prepares the tests of rays from a light at a near point. The tangents to a sphere that is small for its
-    /// distance do not tell what it hides: their length becomes 0.
+    /// distance do not tell what it hides ([`SphereFromPoint::SMALL`]).
     ///
     /// A distance along a ray is known to a few steps. For a sphere at the distance D, such an error
     /// becomes D / radius times as large across the ray. It stays below 1/32 of the radius if
@@ -146,15 +146,9 @@ impl PreparedSphere {
     pub(crate) const fn seen_from_light(&self, light: Point) -> SphereFromPoint {
         let mut from = self.seen_from(light);
         if !from.is_around() && self.square < wide(from.tangent, COARSEST) {
-            from.tangent = 0;
+            from.tangent = SphereFromPoint::SMALL;
         }
         from
-    }
-
-    /// Tests whether the point for which `from` was prepared lies outside of the sphere: then rays from there tell what
-    /// the sphere hides.
-    pub(crate) const fn is_told(&self, from: &SphereFromPoint) -> bool {
-        !from.is_around()
     }
 
     /// Tests whether `point` lies inside the sphere. `point` is near, and epsilon above the surface of
@@ -264,7 +258,6 @@ impl Bounded for PreparedSphere {
         own: Own,
     ) -> bool {
         from.is_before(ray.direction, ray.reach)
-            && (from.tangent > 0 || self.is_between(from, ray, own))
             || PRECISE
                 && from.may_hold_the_end(self.radius, ray.reach)
                 && own == Own::No

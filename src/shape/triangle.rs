@@ -157,12 +157,6 @@ impl PreparedTriangle {
     pub(crate) const fn seen_from_light(&self, light: Point) -> FlatFromPoint {
         self.seen_from(light)
     }
-
-    /// Tests whether the prepared values decide which points the triangle hides from a light. They always
-    /// do, so the result is `true`.
-    pub(crate) const fn is_told(&self, _: &FlatFromPoint) -> bool {
-        true
-    }
 }
 
 /// Returns the length of the longest side, in steps, at least 1.

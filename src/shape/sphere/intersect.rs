@@ -57,11 +57,10 @@ impl PreparedSphere {
         self.is_on_way(ray.origin.to(self.center), ray.direction, reach)
     }
 
-    /// Tests whether the sphere hides the end of a ray from a light, whose tangents do not tell it. A sphere hides no
+    /// Tests whether the sphere hides the end of a ray from a light, if the tangents do not tell it. A sphere hides no
     /// point of its outer side that faces the light.
-    #[inline(never)]
-    pub(super) fn is_between(&self, from: &SphereFromPoint, ray: &LightRay, own: Own) -> bool {
-        own != Own::Outside && self.is_on_way(from.way, ray.direction, ray.reach)
+    pub(crate) fn is_between(&self, from: &SphereFromPoint, ray: &LightRay, own: Own) -> bool {
+        from.is_small() && own != Own::Outside && self.is_on_way(from.way, ray.direction, ray.reach)
     }
 
     /// Does what [`PreparedSphere::is_on`] does. `way` is the vector from the ray's origin to the centre.
