@@ -215,23 +215,29 @@ pub(crate) fn occluded<W: World, Q: CullingQuality, const PRECISE: bool>(
             any_occludes::<W, PRECISE>(world, set, surface, light, &ray)
         }
     };
-    is_hidden || light.light.has_small && small_occludes(world, surface, light, &ray)
+    // Known when the program is compiled, if the scene is constant.
+    let mut lights = world.tables().light_occluders.iter();
+    let has_small = lights.any(|light| light.light.has_small);
+    is_hidden || has_small && small_occludes(world, surface, light, direction, ray.reach)
 }
 
 /// Tests whether a sphere that is small for its distance from the light lies between the light and the point on `surface`
-/// where `ray` ends.
+/// where a ray of the light ends.
 #[cold]
 #[inline(never)]
 fn small_occludes<W: World>(
     world: &W,
     surface: &Surface<'_>,
     light: &LightOccluders<W::Room>,
-    ray: &LightRay,
+    direction: Direction,
+    reach: Length,
 ) -> bool {
+    let origin = light.light.place.point;
+    let ray = Ray { origin, direction };
     let spheres = world.parts().spheres.iter().zip(light.spheres());
-    (0..)
-        .zip(spheres)
-        .any(|(number, (sphere, from))| sphere.is_between(from, ray, own(surface, number)))
+    (0..).zip(spheres).any(|(number, (sphere, from))| {
+        from.is_small() && own(surface, number) != Own::Outside && sphere.blocks(&ray, reach)
+    })
 }
 
 #[cfg(test)]

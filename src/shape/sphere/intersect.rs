@@ -1,9 +1,9 @@
 //! Hits of a ray on a sphere: the distance to the hit, and whether the sphere blocks a ray.
 
-use super::{PreparedSphere, SphereFromPoint};
+use super::PreparedSphere;
 use crate::number::{Length, root_of_square, signed_wide, unsigned_wide, wide};
 use crate::ray::Ray;
-use crate::shape::bounded::{LightRay, Own, Range};
+use crate::shape::bounded::Range;
 use crate::vector::{Direction, Vector};
 
 /// Depth below a sphere's surface, in steps, down to which a ray counts as starting on the surface. A
@@ -54,23 +54,12 @@ impl PreparedSphere {
     /// Tests whether the ray hits the sphere at a distance above 0 and below `reach`. Takes no root. A
     /// ray that starts on the surface, within rounding, and goes outwards does not hit it.
     pub(super) fn is_on(&self, ray: &Ray, reach: Length) -> bool {
-        self.is_on_way(ray.origin.to(self.center), ray.direction, reach)
-    }
-
-    /// Tests whether the sphere hides the end of a ray from a light, if the tangents do not tell it. A sphere hides no
-    /// point of its outer side that faces the light.
-    pub(crate) fn is_between(&self, from: &SphereFromPoint, ray: &LightRay, own: Own) -> bool {
-        from.is_small() && own != Own::Outside && self.is_on_way(from.way, ray.direction, ray.reach)
-    }
-
-    /// Does what [`PreparedSphere::is_on`] does. `way` is the vector from the ray's origin to the centre.
-    #[inline(always)]
-    fn is_on_way(&self, way: Vector, direction: Direction, reach: Length) -> bool {
-        let distance = way.dot(direction);
+        let way = ray.origin.to(self.center);
+        let distance = way.dot(ray.direction);
         if distance < -self.radius || distance - self.radius > reach.to_bits() {
             return false;
         }
-        let nearest = way.without(direction, distance);
+        let nearest = way.without(ray.direction, distance);
         let half_chord_square = self.square - signed_wide(nearest.square());
         if half_chord_square < 0 {
             return false;

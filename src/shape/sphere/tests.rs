@@ -355,13 +355,12 @@ fn a_small_sphere_far_from_a_light_hides_what_is_behind_it() {
                 end,
             };
             let hides = is_behind && aside < radius;
-            assert_eq!(
-                sphere.is_between(&from, &ray, Own::No),
-                hides,
-                "{aside} {x}"
-            );
+            let line = Ray {
+                origin: light,
+                direction,
+            };
+            assert_eq!(sphere.blocks(&line, distance), hides, "{aside} {x}");
             assert!(!sphere.occludes::<true>(&from, &ray, Own::No));
-            assert!(!sphere.is_between(&from, &ray, Own::Outside));
         }
     }
 }
