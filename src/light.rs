@@ -105,7 +105,7 @@ pub struct PreparedLight {
     /// Whether shadows can be tested with the values that are prepared for each pair of light and shape.
     /// The light must be near and outside of all spheres.
     pub(crate) is_plain: bool,
-    /// Whether a sphere is so small for its distance from the light that it has to be tested by itself.
+    /// Whether a sphere is so small for its distance from the light that its tangents do not tell what it hides.
     pub(crate) has_small: bool,
     kind: Kind,
 }

@@ -1,10 +1,9 @@
 //! The bounded shapes of a scene, prepared for rays from one light, and the shadow test from the light.
 //!
-//! Bound: used for a light that is near and outside of all spheres ([`PreparedLight::is_plain`]). The length of the
-//! tangents then tells what a sphere hides, without a root. A sphere that is too small for its distance from the light
-//! is tested as any ray tests it. The result differs from the plain test only where
-//! rounding decides, by a few steps of the grid: the ray runs from the light to the surface, not from
-//! the surface to the light.
+//! Bound: used for a light that is near, outside of all spheres ([`PreparedLight::is_plain`]), and not too far from any
+//! sphere for its size: the length of the tangents must tell what the sphere hides ([`PreparedLight::has_small`]). The
+//! shadow test of a sphere then needs no root. The result differs from the plain test only where rounding decides, by a
+//! few steps of the grid: the ray runs from the light to the surface, not from the surface to the light.
 
 use super::hierarchy;
 use super::light_table::light_set;
@@ -55,7 +54,7 @@ macro_rules! light_occluders {
                     let mut index = 0;
                     while index < parts.spheres.len() && index < occluders.spheres.len() {
                         light.is_plain &= !occluders.spheres[index].is_around();
-                        light.has_small |= occluders.spheres[index].is_small();
+                        light.has_small |= !parts.spheres[index].is_told(&occluders.spheres[index]);
                         index += 1;
                     }
                 }
@@ -83,12 +82,12 @@ macro_rules! light_occluders {
                 }
             )*
 
-            /// Decides again whether the light is outside of all spheres, and whether one is small for its distance.
+            /// Decides again whether the light is outside of all spheres, and whether one is small for its distance from it.
             pub(super) fn settle(&mut self, parts: &Parts<'_>) {
-                let spheres = || self.spheres.as_ref().iter().take(parts.spheres.len());
+                let spheres = || self.spheres.as_ref().iter().zip(parts.spheres);
                 self.light.is_plain =
-                    self.light.place.scale == 0 && !spheres().any(|it| it.is_around());
-                self.light.has_small = spheres().any(|it| it.is_small());
+                    self.light.place.scale == 0 && !spheres().any(|(view, _)| view.is_around());
+                self.light.has_small = !spheres().all(|(view, sphere)| sphere.is_told(view));
             }
 
             /// Prepares the views from a light that has changed.
@@ -182,7 +181,7 @@ impl<R: Capacity> LightOccluders<R> {
 
 /// Tests whether a bounded shape hides a near surface from a light. Uses the tangents from the light.
 ///
-/// The light must be plain, and no plane may hide it. `index` is its place in the list of lights.
+/// The light must be plain and have no small sphere, and no plane may hide it. `index` is its place in the list of lights.
 /// `direction` and `distance` lead from the light to the surface.
 ///
 /// If `PRECISE`, a point that epsilon lifts into a sphere is in the sphere's shadow. The ray then ends
@@ -208,36 +207,11 @@ pub(crate) fn occluded<W: World, Q: CullingQuality, const PRECISE: bool>(
     // shapes a bit, the table still takes less time, but not among the triangles of a mesh.
     let parts = world.parts();
     let is_large = parts.bounded() > 2 * SETS || W::NEEDS.triangles && hierarchy::has_mesh(&parts);
-    let is_hidden = match hierarchy::is_used::<W, Q>(world) && is_large {
-        true => is_occluded_in_crowd::<W, PRECISE>(world, surface, light, &ray),
-        false => {
-            let set = light_set::<W, Q>(world, index, direction);
-            any_occludes::<W, PRECISE>(world, set, surface, light, &ray)
-        }
-    };
-    // Known when the program is compiled, if the scene is constant.
-    let mut lights = world.tables().light_occluders.iter();
-    let has_small = lights.any(|light| light.light.has_small);
-    is_hidden || has_small && small_occludes(world, surface, light, direction, ray.reach)
-}
-
-/// Tests whether a sphere that is small for its distance from the light lies between the light and the point on `surface`
-/// where a ray of the light ends.
-#[cold]
-#[inline(never)]
-fn small_occludes<W: World>(
-    world: &W,
-    surface: &Surface<'_>,
-    light: &LightOccluders<W::Room>,
-    direction: Direction,
-    reach: Length,
-) -> bool {
-    let origin = light.light.place.point;
-    let ray = Ray { origin, direction };
-    let spheres = world.parts().spheres.iter().zip(light.spheres());
-    (0..).zip(spheres).any(|(number, (sphere, from))| {
-        from.is_small() && own(surface, number) != Own::Outside && sphere.blocks(&ray, reach)
-    })
+    if hierarchy::is_used::<W, Q>(world) && is_large {
+        return is_occluded_in_crowd::<W, PRECISE>(world, surface, light, &ray);
+    }
+    let set = light_set::<W, Q>(world, index, direction);
+    any_occludes::<W, PRECISE>(world, set, surface, light, &ray)
 }
 
 #[cfg(test)]

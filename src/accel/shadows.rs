@@ -65,9 +65,7 @@ impl RowShadows {
     /// Returns the borders of shadows in the whole row. No plane hides the light.
     pub(crate) fn of<W: World>(&mut self, world: &W, cast: Cast, shadow: Shadow<'_>) -> &Borders {
         let kept = &mut self.0[cast.light % 2];
-        if kept.is_none_or(|(of, _)| of != cast) {
-            *kept = None;
-        }
+        kept.take_if(|(of, _)| *of != cast);
         let (_, borders) = kept.get_or_insert_with(|| (cast, borders_from(0, world, shadow)));
         borders
     }

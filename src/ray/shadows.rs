@@ -117,7 +117,8 @@ pub struct Borders {
     end: u16,
 }
 
-/// Largest number of borders that are noted. In a row with more of them, little lies between two.
+/// Largest number of borders that are noted. If a row has more, they lie so close together that little could be
+/// interpolated.
 const BORDERS: usize = 12;
 
 impl Borders {
@@ -138,7 +139,7 @@ impl Borders {
         }
     }
 
-    /// Adds a border. If there is no room, nothing is known after the first column.
+    /// Adds a border. If there is no room for it, nothing is known any more of the columns after the first one.
     pub(crate) fn add(&mut self, border: Border) {
         let Border { first, last } = border;
         if last < i32::from(self.first) || first >= i32::from(self.end) {

@@ -137,18 +137,20 @@ impl PreparedSphere {
         self
     }
 
-    /// Prepares the tests of rays from a light at a near point. The tangents to a sphere that is small for its
-    /// distance do not tell what it hides ([`SphereFromPoint::SMALL`]).
+    /// Prepares the tests of rays from a light at a near point.
+    pub(crate) const fn seen_from_light(&self, light: Point) -> SphereFromPoint {
+        self.seen_from(light)
+    }
+
+    /// Tests whether the length of the tangents decides which points the sphere hides from the point for
+    /// which `from` was prepared. That point must lie outside of the sphere and must not be too far
+    /// away.
     ///
     /// A distance along a ray is known to a few steps. For a sphere at the distance D, such an error
     /// becomes D / radius times as large across the ray. It stays below 1/32 of the radius if
     /// radius² / D is [`COARSEST`] or more.
-    pub(crate) const fn seen_from_light(&self, light: Point) -> SphereFromPoint {
-        let mut from = self.seen_from(light);
-        if !from.is_around() && self.square < wide(from.tangent, COARSEST) {
-            from.tangent = SphereFromPoint::SMALL;
-        }
-        from
+    pub(crate) const fn is_told(&self, from: &SphereFromPoint) -> bool {
+        !from.is_around() && self.square >= wide(from.tangent, COARSEST)
     }
 
     /// Tests whether `point` lies inside the sphere. `point` is near, and epsilon above the surface of

@@ -91,7 +91,10 @@ impl<W: World, K: Shading, Q: PathQuality> Tracer<'_, W, K, Q> {
         });
         match cast.zip(self.shadows.as_deref_mut()) {
             Some((cast, shadows)) => shadows.of(self.world, cast, shadow).until(column),
-            None => shadows::borders_from(column, self.world, shadow).until(column),
+            None => {
+                let borders = shadows::borders_from(column, self.world, shadow);
+                borders.until(column).filter(|until| *until > column)
+            }
         }
     }
 }

@@ -126,9 +126,17 @@ impl<W: World, Q: CullingQuality> Visibility for Culled<'_, W, Q> {
     fn is_occluded_from<const PRECISE: bool>(
         &self,
         surface: &Surface<'_>,
-        light: (&LightOccluders<W::Room>, usize),
-        ray: (Direction, Length),
+        (light, index): (&LightOccluders<W::Room>, usize),
+        (direction, distance): (Direction, Length),
     ) -> bool {
+        // That no light has a small sphere is known when the program is compiled, if the scene is constant.
+        let mut lights = self.lights().iter();
+        if light.light().has_small && lights.any(|it| it.light().has_small) {
+            let ray = ScaledRay::new(surface.place, direction.reversed());
+            let way = (light.light().place, distance, 0);
+            return self.is_occluded(surface, &ray, index, way);
+        }
+        let (light, ray) = ((light, index), (direction, distance));
         light_occluders::occluded::<W, Q, PRECISE>(self.world, surface, light, ray)
     }
 

@@ -5,7 +5,7 @@ use super::output::fill;
 use crate::color::{LONGEST, Parabola, Sum};
 use crate::number::to_u32;
 
-/// Takes the colours of a row's columns, in any order. They may be more than were asked for.
+/// Takes the colours of a row's columns, in any order. Colours of columns that nobody asked for may be among them.
 pub(crate) trait Sink {
     /// Takes the colour of one column.
     fn set(&mut self, column: u32, sum: Sum);

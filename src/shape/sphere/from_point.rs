@@ -10,19 +10,11 @@ pub struct SphereFromPoint {
     /// Vector from the point to the sphere's centre, in steps.
     pub(super) way: Vector,
     /// Length of the tangents from the point to the sphere, in steps; `i32::MIN` if the point lies
-    /// inside; [`SphereFromPoint::SMALL`] if the point is a light and they do not tell what the sphere hides.
+    /// inside.
     pub(super) tangent: i32,
 }
 
 impl SphereFromPoint {
-    /// Stands for the length of tangents that tell nothing. It is longer than any ray, so the sphere hides nothing by them.
-    pub(super) const SMALL: i32 = i32::MAX;
-
-    /// Tests whether the sphere is so small for its distance from a light that the tangents do not tell what it hides.
-    pub(crate) const fn is_small(&self) -> bool {
-        self.tangent == Self::SMALL
-    }
-
     /// Tests whether a ray may hit the sphere. A ray that touches the sphere is nearest to the centre at
     /// the tangents' length. A ray that goes through the sphere is nearest further on.
     #[inline(always)]

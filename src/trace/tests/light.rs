@@ -3,7 +3,7 @@
 use super::*;
 use crate::color::Color;
 use crate::scene::Room;
-use crate::shade::Phong;
+use crate::shade::{Phong, Visibility};
 
 pub(super) type Scenery = RuntimeScene<Room<2, 2, 1, 4, 2>>;
 type Built = Scene<Room<2, 2, 1, 4, 2>>;
@@ -431,4 +431,58 @@ fn miss_is_the_sky_in_the_direction_of_the_ray() {
     }
     // A path below the horizon is another one.
     assert_ne!(seen(0.01).1, seen(-0.01).1);
+}
+
+/// A sphere that is so small for its distance from the light that its tangents tell nothing hides what it hides on the
+/// plain path, and it alone: the light stays plain.
+#[test]
+fn a_small_sphere_far_from_a_light_hides_what_is_behind_it() {
+    let mut scene = RuntimeScene::<Room<2, 1, 0, 1, 1>>::new();
+    let white = scene.add_material(Material::new([1.0; 3])).unwrap();
+    let (radius, far) = (0.0003, 1.0);
+    scene.add_sphere([0, 0, 0], radius, white).unwrap();
+    scene.add_sphere([0, 3, 0], 1, white).unwrap();
+    scene.add_plane([2, 0, 0], [-1, 0, 0], white).unwrap();
+    scene.add_light([-far, 0.0, 0.0], [1, 1, 1]).unwrap();
+    let scene = scene.build().unwrap();
+    let (parts, lights) = (scene.parts(), scene.tables().light_occluders);
+    let light = lights[0].light();
+    assert!(light.is_plain && light.has_small);
+    let visibility = LightVisibility::new(&&scene, ScaledPoint::at(light.place.point));
+    assert!(visibility.is_clear(0));
+    let floor = ShapeId::at(parts.bounded());
+    let mut surface = Surface::new(&scene, ScaledPoint::ORIGIN, floor, Direction::X).unwrap();
+    for aside in [0, 9, 10, 15, 17, 25] {
+        // The ray passes the centre at this distance, in sixteenths of the radius.
+        let aside = radius * f64::from(aside) / 16.0;
+        for (x, is_behind) in [
+            (-far / 2.0, false),
+            (-2.0 * radius, false),
+            (2.0 * radius, true),
+            (far / 2.0, true),
+        ] {
+            surface.place = parts
+                .grid
+                .place(Position::new([x, aside * (far + x) / far, 0.0]));
+            let ray = light
+                .place
+                .point
+                .to(surface.place.point)
+                .direction_and_length();
+            let hides = is_behind && aside < radius;
+            let light = (&lights[0], 0);
+            assert_eq!(
+                Culled::<_, Fast>::new(&&scene, &visibility)
+                    .is_occluded_from::<false>(&surface, light, ray),
+                hides,
+                "{aside} {x}"
+            );
+            assert_eq!(
+                Culled::<_, Exact>::new(&&scene, &visibility)
+                    .is_occluded_from::<true>(&surface, light, ray),
+                hides,
+                "{aside} {x}"
+            );
+        }
+    }
 }
