@@ -74,12 +74,12 @@ use crate::vector::Position;
 ///
 /// | core | scene | move | preparation | flash |
 /// |---|---|--:|--:|--:|
-/// | m0 | castle | 3336 | 367376 | 108.6 % |
-/// | m0 | mirror1 | 2822 | 57207 | 107.1 % |
-/// | m0 | primitives | 2709 | 22039 | 109.5 % |
-/// | m3 | castle | 2017 | 88127 | 109.8 % |
-/// | m3 | mirror1 | 1621 | 14007 | 110.3 % |
-/// | m3 | primitives | 1539 | 5754 | 112.8 % |
+/// | m0 | castle | 3689 | 367375 | 109.2 % |
+/// | m0 | mirror1 | 2879 | 57207 | 107.8 % |
+/// | m0 | primitives | 2699 | 22041 | 110.0 % |
+/// | m3 | castle | 2240 | 88127 | 110.6 % |
+/// | m3 | mirror1 | 1660 | 14007 | 111.5 % |
+/// | m3 | primitives | 1547 | 5754 | 113.6 % |
 pub struct MovingScene<T: StaticScene>(Scene<T::Room>);
 
 impl<T: StaticScene> Clone for MovingScene<T> {
