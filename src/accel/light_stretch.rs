@@ -14,7 +14,7 @@ use crate::scene::shape_set::ShapeSet;
 use crate::shape::bordered::{Ball, Bordered, Fan};
 use crate::shape::bounded::{Bounded, LightRay, Own};
 use crate::shape::rays::{Beam, Rays, SLACK};
-use crate::vector::{Direction, Point};
+use crate::vector::{Direction, Point, Vector};
 
 /// The points of a surface that a stretch shows.
 pub(crate) struct LitStretch {
@@ -148,9 +148,11 @@ fn hides_ends<K: Bordered>(
     })
 }
 
-/// The rays from the points of a stretch to a sun, projected along them: a straight line.
-struct Sunlight {
-    sun: Direction,
+/// The rays from the points of a near stretch to a far light, projected along the first one: a straight line. A sun's rays
+/// are parallel. Those to a lamp come together on the first one, so their projections do not leave the line.
+struct FarLight {
+    /// Direction from the first end to the light.
+    towards: Direction,
     ends: [Point; 2],
     /// The points' projections.
     line: [Point; 2],
@@ -158,14 +160,27 @@ struct Sunlight {
     aside: i32,
 }
 
-impl Sunlight {
-    /// Tests whether a ball surely lies behind all points, or beside all rays.
-    fn misses(&self, (center, radius): Ball) -> bool {
-        let reach = radius + self.aside;
-        self.ends
-            .iter()
-            .all(|end| end.to(center).dot(self.sun) < -reach)
-            || is_apart(self.line, projected(center, self.sun), reach)
+impl FarLight {
+    /// Tests whether a shape surely lies behind all points, or beside all rays.
+    fn misses<K: Bordered>(&self, shape: &K) -> bool {
+        let (center, half_axis, radius) = shape.outline();
+        let is_long = !K::IS_BALL && !K::IS_FLAT;
+        let half_axis = if is_long { half_axis } else { Vector::ZERO };
+        let (middle, reach) = (center.to_vector(), radius + self.aside);
+        let before = half_axis.dot(self.towards).abs() + reach;
+        let mut ends = self.ends.iter();
+        if ends.all(|end| end.to(center).dot(self.towards) < -before) {
+            return true;
+        }
+        let axis = [middle.plus(half_axis), middle.minus(half_axis)];
+        let axis = axis.map(|end| projected(Point::at(end), self.towards));
+        if !is_long {
+            return is_apart(self.line, axis[0], reach);
+        }
+        // The ball around the middle of the line holds the line.
+        let half = self.line[0].to(self.line[1]).coarser(1);
+        let middle = Point::at(self.line[0].to_vector().plus(half));
+        is_apart(axis, middle, reach + half.normalised().1.to_bits() + 2)
     }
 }
 
@@ -173,27 +188,6 @@ impl Sunlight {
 fn projected(point: Point, direction: Direction) -> Point {
     let way = point.to_vector();
     Point::at(way.without(direction, way.dot(direction)))
-}
-
-/// Tests whether a sun that no plane hides surely shines on all points of a near stretch. The stretch faces it. A convex
-/// surface hides no part of itself that faces the sun.
-#[inline(never)]
-pub(crate) fn sun_lights_all<W: World>(world: &W, stretch: &LitStretch, sun: Direction) -> bool {
-    let ends = stretch.ends.map(|end| end.point);
-    let light = Sunlight {
-        sun,
-        ends,
-        line: ends.map(|end| projected(end, sun)),
-        aside: stretch.bulge + stretch.slack + SLACK,
-    };
-    let parts = world.parts();
-    (0..parts.bounded()).all(|number| {
-        let is_own = stretch.shape == ShapeId::at(number) && !stretch.is_hollow;
-        is_own
-            || parts
-                .ball(number)
-                .is_none_or(|(ball, _)| light.misses(ball))
-    })
 }
 
 macro_rules! any_hides {
@@ -226,6 +220,37 @@ macro_rules! any_hides {
             )*
             let _ = first;
             !stretch.is_hollow
+        }
+
+        /// Tests whether a far light that no plane hides surely shines on all points of a near stretch. The stretch faces
+        /// it. `towards` is the direction from the first end to the light.
+        #[inline(never)]
+        pub(crate) fn far_lights_all<W: World>(
+            world: &W,
+            stretch: &LitStretch,
+            towards: Direction,
+        ) -> bool {
+            let ends = stretch.ends.map(|end| end.point);
+            let light = FarLight {
+                towards,
+                ends,
+                line: ends.map(|end| projected(end, towards)),
+                aside: stretch.bulge + stretch.slack + SLACK,
+            };
+            let (parts, first) = (world.parts(), 0);
+            $(
+                let is_clear = parts.$list.iter().enumerate().all(|(index, shape)| {
+                    // A convex surface hides no part of itself that faces the light.
+                    let is_own = stretch.shape == ShapeId::at(first + index);
+                    is_own && !stretch.is_hollow || light.misses(shape)
+                });
+                if !is_clear {
+                    return false;
+                }
+                let first = first + parts.$list.len();
+            )*
+            let _ = first;
+            true
         }
 
         /// Tests whether a shape of `set` surely hides all points of a stretch from a light.

@@ -31,7 +31,7 @@ mod within;
 
 pub(crate) use active_list::Window;
 pub(crate) use beside::Beside;
-pub(crate) use light_stretch::{LitStretch, is_clear_way, lights_all, sun_lights_all};
+pub(crate) use light_stretch::{LitStretch, far_lights_all, is_clear_way, lights_all};
 pub use motion::MovingScene;
 pub use scene::{Scene, Tabled};
 pub use static_scene::{Apart, Static, StaticScene};

@@ -5,7 +5,7 @@ use super::shown::Shown;
 use super::stretch::{LARGEST_TURN, sure};
 use super::{PathQuality, Tracer};
 use crate::accel::light_occluders::LightOccluders;
-use crate::accel::{World, lights_all, sun_lights_all};
+use crate::accel::{World, far_lights_all, lights_all};
 use crate::number::{Brightness, Unit};
 use crate::ray::ScaledPoint;
 use crate::shade::Samples;
@@ -89,8 +89,9 @@ impl<W: World, K: Shading, Q: PathQuality> Tracer<'_, W, K, Q> {
             // Shadows of far lights on planes are known by now.
             let is_known = world.parts().is_plane(shown.lit.shape);
             let is_open = self.visibility.is_open(index);
-            let shines = |sun| is_open && sun_lights_all(world, &shown.lit, sun);
-            return (is_known || lamp.sun().is_some_and(shines)).then_some(true);
+            let towards = lamp.sun().unwrap_or(rays.ends[0].reversed());
+            let shines = is_known || is_open && far_lights_all(world, &shown.lit, towards);
+            return shines.then_some(true);
         }
         match self.visibility.is_clear(index) {
             true => lights_all::<W, Q>(world, (light, index), &shown.lit, rays),
