@@ -14,7 +14,7 @@ use crate::scene::shape_set::ShapeSet;
 use crate::shape::bordered::{Ball, Bordered, Fan};
 use crate::shape::bounded::{Bounded, LightRay, Own};
 use crate::shape::rays::{Beam, Rays, SLACK};
-use crate::vector::{Direction, Point, Vector};
+use crate::vector::{Direction, Point};
 
 /// The points of a surface that a stretch shows.
 pub(crate) struct LitStretch {
@@ -148,46 +148,37 @@ fn hides_ends<K: Bordered>(
     })
 }
 
-/// The rays from the points of a near stretch to a far light, projected along the first one: a straight line. A sun's rays
-/// are parallel. Those to a lamp come together on the first one, so their projections do not leave the line.
+/// One thick ray that holds all rays from the points of a near stretch to a far light. A sun's rays are parallel, and those
+/// to a lamp come together.
 struct FarLight {
-    /// Direction from the first end to the light.
+    /// The middle of the stretch, where the thick ray begins.
+    middle: Point,
+    /// Direction from one end of the stretch to the light.
     towards: Direction,
-    ends: [Point; 2],
-    /// The points' projections.
-    line: [Point; 2],
-    /// Upper bound of the distance of a projection from the straight line, in steps.
-    aside: i32,
+    /// The thick ray's radius in steps.
+    width: i32,
 }
 
 impl FarLight {
+    fn new(stretch: &LitStretch, towards: Direction) -> Self {
+        let [first, last] = stretch.ends.map(|end| end.point);
+        let half = first.to(last).coarser(1);
+        Self {
+            middle: Point::at(first.to_vector().plus(half)),
+            towards,
+            width: half.normalised().1.to_bits() + stretch.bulge + stretch.slack + SLACK,
+        }
+    }
+
     /// Tests whether a shape surely lies behind all points, or beside all rays.
     fn misses<K: Bordered>(&self, shape: &K) -> bool {
         let (center, half_axis, radius) = shape.outline();
-        let is_long = !K::IS_BALL && !K::IS_FLAT;
-        let half_axis = if is_long { half_axis } else { Vector::ZERO };
-        let (middle, reach) = (center.to_vector(), radius + self.aside);
-        let before = half_axis.dot(self.towards).abs() + reach;
-        let mut ends = self.ends.iter();
-        if ends.all(|end| end.to(center).dot(self.towards) < -before) {
-            return true;
-        }
-        let axis = [middle.plus(half_axis), middle.minus(half_axis)];
-        let axis = axis.map(|end| projected(Point::at(end), self.towards));
-        if !is_long {
-            return is_apart(self.line, axis[0], reach);
-        }
-        // The ball around the middle of the line holds the line.
-        let half = self.line[0].to(self.line[1]).coarser(1);
-        let middle = Point::at(self.line[0].to_vector().plus(half));
-        is_apart(axis, middle, reach + half.normalised().1.to_bits() + 2)
+        let (way, reach) = (self.middle.to(center), radius + self.width);
+        let ends = [way.plus(half_axis), way.minus(half_axis)];
+        let heights = ends.map(|end| end.dot(self.towards));
+        let aside = [0, 1].map(|it| Point::at(ends[it].without(self.towards, heights[it])));
+        heights.iter().all(|height| *height < -reach) || is_apart(aside, Point::ORIGIN, reach)
     }
-}
-
-/// Returns a point's projection along a direction onto a plane through the middle of the scene.
-fn projected(point: Point, direction: Direction) -> Point {
-    let way = point.to_vector();
-    Point::at(way.without(direction, way.dot(direction)))
 }
 
 macro_rules! any_hides {
@@ -230,13 +221,7 @@ macro_rules! any_hides {
             stretch: &LitStretch,
             towards: Direction,
         ) -> bool {
-            let ends = stretch.ends.map(|end| end.point);
-            let light = FarLight {
-                towards,
-                ends,
-                line: ends.map(|end| projected(end, towards)),
-                aside: stretch.bulge + stretch.slack + SLACK,
-            };
+            let light = FarLight::new(stretch, towards);
             let (parts, first) = (world.parts(), 0);
             $(
                 let is_clear = parts.$list.iter().enumerate().all(|(index, shape)| {

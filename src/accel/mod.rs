@@ -58,10 +58,9 @@ pub(crate) const LONGEST_BLOCK: u32 = to_u32(LONGEST);
 /// Switches of the culling techniques.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Culling {
-    /// Whether camera rays test only the shapes whose [`screen_bounds`] contain the pixel.
-    pub(crate) screen_bounds: bool,
-    /// Whether shadows are computed from the light's side ([`light_occluders`], [`light_visibility`]).
-    pub(crate) light_occluders: bool,
+    /// Whether camera rays test only the shapes whose [`screen_bounds`] contain the pixel, and shadows are computed from
+    /// the light's side ([`light_occluders`], [`light_visibility`]).
+    pub(crate) is_known: bool,
     /// Whether shadow rays test only the shapes that [`light_table`] lists for their direction.
     pub(crate) light_tables: bool,
     /// Whether rays that no table covers test only the shapes in the balls of the [`hierarchy`] that they
@@ -75,8 +74,7 @@ pub struct Culling {
 impl Culling {
     /// Switches with every technique on.
     pub(crate) const ALL: Self = Self {
-        screen_bounds: true,
-        light_occluders: true,
+        is_known: true,
         light_tables: true,
         hierarchy: true,
         lists: false,
@@ -84,8 +82,7 @@ impl Culling {
 
     /// Switches with every technique off: the plain path, which tests every shape.
     pub(crate) const NONE: Self = Self {
-        screen_bounds: false,
-        light_occluders: false,
+        is_known: false,
         light_tables: false,
         hierarchy: false,
         lists: false,
@@ -99,7 +96,7 @@ impl Culling {
 
     /// Tests whether a technique is on that replaces the plain path. The lists do not.
     pub(crate) const fn is_any(self) -> bool {
-        self.screen_bounds || self.light_occluders || self.light_tables || self.hierarchy
+        self.is_known || self.light_tables || self.hierarchy
     }
 }
 

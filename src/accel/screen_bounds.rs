@@ -121,9 +121,7 @@ impl Eye<'_> {
                 false => (center, radius),
             };
             let rect = match self.seen(center, half_axis) {
-                Some((way, _)) if K::IS_BALL => self.ball(index, way, radius),
-                Some((way, _)) if K::IS_FLAT => self.capsule(index, (way, Vector::ZERO), radius),
-                Some((way, half_axis)) => self.capsule(index, (way, half_axis), radius),
+                Some(way) => self.rect::<K>(index, way, radius),
                 None => ScreenRect::new(index, Columns::ALL, Columns::ALL),
             };
             insert(rects, index, rect);
@@ -156,28 +154,20 @@ impl Eye<'_> {
         self.plane.map_or(0, |_| 2 * self.epsilon.to_bits())
     }
 
-    /// Returns the rectangle of a ball. `way` is the vector from the camera to its centre.
-    fn ball(&self, index: usize, way: Vector, radius: i32) -> ScreenRect {
-        let lift = self.lift();
-        let [columns, rows] = self
-            .axes
-            .each_ref()
-            .map(|axis| axis.sphere_columns(way, widened(radius) + lift));
-        match (columns, rows) {
-            (Some(columns), Some(rows)) => ScreenRect::new(index, columns, rows),
-            _ => ScreenRect::of_nothing(index),
-        }
-    }
-
-    /// Returns the rectangle of a capsule: the vector from the camera to its middle, and its half axis.
-    fn capsule(&self, index: usize, (way, half): (Vector, Vector), radius: i32) -> ScreenRect {
+    /// Returns the rectangle of a shape: the vector from the camera to its middle, its half axis, and its radius.
+    fn rect<K: Bounded>(
+        &self,
+        index: usize,
+        (way, half): (Vector, Vector),
+        radius: i32,
+    ) -> ScreenRect {
         let radius = widened(radius) + self.lift();
-        let [columns, rows] = self
-            .axes
-            .each_ref()
-            .map(|axis| axis.capsule_columns(way, half, radius));
-        match (columns, rows) {
-            (Some(columns), Some(rows)) => ScreenRect::new(index, columns, rows),
+        let sides = self.axes.each_ref().map(|axis| match K::IS_BALL {
+            true => axis.sphere_columns(way, radius),
+            false => axis.capsule_columns(way, half, radius),
+        });
+        match sides {
+            [Some(columns), Some(rows)] => ScreenRect::new(index, columns, rows),
             _ => ScreenRect::of_nothing(index),
         }
     }

@@ -4,7 +4,7 @@
 //! It is an estimate: a shape counts as far away as its centre, and mirrored shapes do not count.
 
 use super::World;
-use crate::number::{Unit, shifted, wide};
+use crate::number::{Unit, scaled_by_unit, shifted, wide};
 use crate::ray::RowPlane;
 use crate::shape::bounded::Bounded;
 
@@ -41,10 +41,12 @@ fn is_thin<K: Bounded>(shape: &K, row: &RowPlane, may_be_small: bool) -> bool {
     // The length of a pixel at the shape's depth, times `distance`.
     let pixel = 2 * shifted(depth, (-axis.scale).min(26));
     let is_below = |length: i32, pixels: i64| wide(length, axis.distance) < pixels * pixel;
-    let (thickness, reach) = match K::IS_FLAT {
-        true => (2 * half.dot(axis.ahead).abs(), radius),
-        false => (2 * radius, radius + half.dot(row.normal).abs()),
+    let share = match K::IS_FLAT {
+        true => shape.normal(center).dot(axis.ahead),
+        false => Unit::ONE,
     };
+    let thickness = 2 * scaled_by_unit(radius, share).abs();
+    let reach = radius + half.dot(row.normal).abs();
     let gap = way.dot(row.normal).abs() - reach;
     let is_small = may_be_small && K::IS_BALL && is_below(thickness, SMALL);
     depth > 0 && (is_small || is_below(thickness, THIN)) && is_below(gap, 1)

@@ -25,7 +25,7 @@ pub trait Bounded: Copy + Debug + 'static {
     const IS_FLAT: bool = false;
 
     /// Returns a capsule around the shape: its centre, the vector from the centre to one end, and its
-    /// radius, in steps. For a flat shape, the vector is the normal, scaled to the length of the radius.
+    /// radius, in steps. Without length it is a ball.
     fn outline(&self) -> (Point, Vector, i32);
 
     /// Prepares the tests of rays that start at the camera or at its mirror image. The result is

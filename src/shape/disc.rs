@@ -184,7 +184,7 @@ impl Bounded for PreparedDisc {
     const IS_FLAT: bool = true;
 
     fn outline(&self) -> (Point, Vector, i32) {
-        (self.center, self.normal.raw_times(self.radius), self.radius)
+        (self.center, Vector::ZERO, self.radius)
     }
 
     fn seen_from_eye(&self, eye: Point) -> FlatFromPoint {

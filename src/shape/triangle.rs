@@ -175,7 +175,7 @@ impl Bounded for PreparedTriangle {
     const IS_FLAT: bool = true;
 
     fn outline(&self) -> (Point, Vector, i32) {
-        (self.center, self.normal.scaled(self.radius), self.radius)
+        (self.center, Vector::ZERO, self.radius)
     }
 
     fn seen_from_eye(&self, eye: Point) -> FlatFromPoint {
