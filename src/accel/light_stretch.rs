@@ -265,3 +265,6 @@ macro_rules! any_hides {
     };
 }
 kinds!(any_hides);
+
+#[cfg(test)]
+mod tests;

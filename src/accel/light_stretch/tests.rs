@@ -1,0 +1,84 @@
+use super::*;
+use crate::accel::Scene;
+use crate::material::Material;
+use crate::number::sweep::Sweep;
+use crate::ray::ScaledRay;
+use crate::scene::access::SceneAccess;
+use crate::scene::query::occluded;
+use crate::scene::{Room, RuntimeScene};
+use crate::vector::Position;
+
+type Built = Scene<Room<2, 0, 1, 1, 1, 1, 1>>;
+
+/// Returns a sphere, a small one, a wire, a disc and a triangle, and a light at a distance: a sun if `is_sun`.
+fn scene(sweep: &mut Sweep, far: f64, is_sun: bool) -> Built {
+    let mut scene = RuntimeScene::<Room<2, 0, 1, 1, 1, 1, 1>>::new();
+    let white = scene.add_material(Material::new([1.0; 3])).unwrap();
+    scene.add_sphere(sweep.place(), 0.4, white).unwrap();
+    scene.add_sphere(sweep.place(), 0.05, white).unwrap();
+    let (center, axis) = (sweep.place(), sweep.place());
+    scene.add_cylinder(center, axis, 0.02, 1.5, white).unwrap();
+    scene
+        .add_disc(sweep.place(), sweep.place(), 0.2, white)
+        .unwrap();
+    let corners = [0, 1, 2].map(|_| sweep.place().map(|it| 0.3 * it));
+    scene.add_triangle(corners, None, white).unwrap();
+    let towards = sweep.place().map(|it| far * it);
+    match is_sun {
+        true => scene.add_sun(towards, [1.0; 3], 0).unwrap(),
+        false => scene.add_light(towards, [1.0; 3]).unwrap(),
+    };
+    scene.build().unwrap()
+}
+
+/// Tests by the plain path whether a light shines on a point.
+fn shines_on(scene: &Built, at: ScaledPoint) -> bool {
+    let light = scene.parts().lights[0].place;
+    let (way, scale) = at.to(light);
+    let (direction, distance) = way.direction_and_length();
+    let (ray, light) = (ScaledRay::new(at, direction), (light, distance, scale));
+    !occluded(scene, ShapeSet::ALL, &ray, ShapeId::NONE, light)
+}
+
+/// A far light that is said to shine on a stretch shines on each point of it: a lamp, from 50 times as far away as the
+/// shapes are, or a sun. Most of the stretches that it shines on are known.
+#[test]
+fn far_light_shines_on_all_points_where_it_is_said_to() {
+    let mut sweep = Sweep::new(83);
+    let (mut said, mut lit, mut lamps) = (0, 0, 0);
+    for round in 0..2_000 {
+        let far = [60.0, 100.0, 1e3, 1e6][round % 4];
+        let scene = scene(&mut sweep, far, round % 8 == 7);
+        let parts = scene.parts();
+        let light = parts.lights[0];
+        if light.place.is_near() {
+            continue;
+        }
+        for _ in 0..10 {
+            let (middle, half) = (sweep.place(), sweep.place());
+            let at = |share: f64| {
+                let place = [0, 1, 2].map(|axis| middle[axis] + 0.1 * share * half[axis]);
+                parts.grid.place(Position::new(place))
+            };
+            let stretch = LitStretch {
+                shape: ShapeId::NONE,
+                is_hollow: false,
+                bulge: 0,
+                slack: 0,
+                ends: [at(-1.0), at(1.0)],
+            };
+            let from_light = Rays::new(light.place, stretch.ends).ends[0];
+            let towards = light.sun().unwrap_or(from_light.reversed());
+            let is_said = far_lights_all(&&scene, &stretch, towards);
+            let is_lit = (-10..=10).all(|it| shines_on(&scene, at(f64::from(it) / 10.0)));
+            assert!(is_lit || !is_said, "round {round}");
+            said += u32::from(is_said);
+            lit += u32::from(is_lit);
+            lamps += u32::from(is_said && light.sun().is_none());
+        }
+    }
+    assert!(
+        said * 10 > lit * 8 && lit < 17_000 && lamps > 5_000,
+        "{said} of {lit}, {lamps}"
+    );
+}
