@@ -176,8 +176,8 @@ fn far_strength<W: SceneAccess, V: Visibility, H: Highlight>(
     weakened::<W>(light, sent, (distance, scale))
 }
 
-/// Returns how much of a light a surface sends to the viewer, wherever both are.
-/// Returns 0 if the light is behind the surface or occluded.
+/// Returns how much of a light a surface sends to the viewer, wherever both are. Returns 0 if the light is behind the
+/// surface or occluded.
 #[inline(never)]
 fn strength<W: SceneAccess, V: Visibility, H: Highlight>(
     world: &W,

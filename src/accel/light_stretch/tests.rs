@@ -40,8 +40,8 @@ fn shines_on(scene: &Built, at: ScaledPoint) -> bool {
     !occluded(scene, ShapeSet::ALL, &ray, ShapeId::NONE, light)
 }
 
-/// A far light that is said to shine on a stretch shines on each point of it: a lamp, from 50 times as far away as the
-/// shapes are, or a sun. Most of the stretches that it shines on are known.
+/// A far light that is said to shine on a stretch shines on each point of it: a lamp that is up to a million times as far
+/// away as the shapes are, or a sun. Most of the stretches that it shines on are known.
 #[test]
 fn far_light_shines_on_all_points_where_it_is_said_to() {
     let mut sweep = Sweep::new(83);
