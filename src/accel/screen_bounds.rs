@@ -121,7 +121,7 @@ impl Eye<'_> {
                 false => (center, radius),
             };
             let rect = match self.seen(center, half_axis) {
-                Some(way) => self.rect::<K>(index, way, radius),
+                Some(way) => self.rect((index, K::IS_BALL), way, radius),
                 None => ScreenRect::new(index, Columns::ALL, Columns::ALL),
             };
             insert(rects, index, rect);
@@ -155,14 +155,14 @@ impl Eye<'_> {
     }
 
     /// Returns the rectangle of a shape: the vector from the camera to its middle, its half axis, and its radius.
-    fn rect<K: Bounded>(
+    fn rect(
         &self,
-        index: usize,
+        (index, is_ball): (usize, bool),
         (way, half): (Vector, Vector),
         radius: i32,
     ) -> ScreenRect {
         let radius = widened(radius) + self.lift();
-        let sides = self.axes.each_ref().map(|axis| match K::IS_BALL {
+        let sides = self.axes.each_ref().map(|axis| match is_ball {
             true => axis.sphere_columns(way, radius),
             false => axis.capsule_columns(way, half, radius),
         });
