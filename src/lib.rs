@@ -115,11 +115,11 @@
 //!
 //! | profile | castle flash | castle instr/pixel | corner1 flash | corner1 instr/pixel |
 //! |---|--:|--:|--:|--:|
-//! | lto = true, codegen-units = 1 | 52564 | 1406 | 14948 | 211 |
-//! | Cargo's default release | 68124 | 1497 | 20232 | 251 |
-//! | lto = true, codegen-units = 1, opt-level = "s" | 50556 | 2458 | 16172 | 277 |
-//! | lto = true, codegen-units = 1, opt-level = "z" | 46624 | 3913 | 16388 | 456 |
-//! | Cargo's default dev (debug) | 590344 | 39775 | 542228 | 6170 |
+//! | lto = true, codegen-units = 1 | 52500 | 1406 | 14956 | 211 |
+//! | Cargo's default release | 68420 | 1498 | 20372 | 251 |
+//! | lto = true, codegen-units = 1, opt-level = "s" | 50560 | 2460 | 16180 | 277 |
+//! | lto = true, codegen-units = 1, opt-level = "z" | 46760 | 3900 | 16488 | 459 |
+//! | Cargo's default dev (debug) | 604592 | 40251 | 556472 | 6221 |
 //!
 //! Every profile draws the same picture. If flash is scarce, the quality [`Small`](quality::Small) saves
 //! more than an `opt-level`.
