@@ -153,13 +153,14 @@ fn hides_ends<K: Bordered>(
 struct FarLight {
     /// The middle of the stretch, where the thick ray begins.
     middle: Point,
-    /// Direction from one end of the stretch to the light.
+    /// Direction of the thick ray: that from the first end of the stretch to the light.
     towards: Direction,
     /// The thick ray's radius in steps.
     width: i32,
 }
 
 impl FarLight {
+    /// Returns the thick ray from a stretch. `towards` is the direction from its first end to the light.
     fn new(stretch: &LitStretch, towards: Direction) -> Self {
         let [first, last] = stretch.ends.map(|end| end.point);
         let half = first.to(last).coarser(1);
@@ -170,12 +171,13 @@ impl FarLight {
         }
     }
 
-    /// Tests whether a shape surely lies behind all points, or beside all rays.
+    /// Tests whether the capsule around a shape surely lies behind the start of the thick ray, or beside it.
     fn misses<K: Bordered>(&self, shape: &K) -> bool {
         let (center, half_axis, radius) = shape.outline();
         let (way, reach) = (self.middle.to(center), radius + self.width);
         let ends = [way.plus(half_axis), way.minus(half_axis)];
         let heights = ends.map(|end| end.dot(self.towards));
+        // The ends of the capsule's axis, projected along the thick ray. It projects to the origin.
         let aside = [0, 1].map(|it| Point::at(ends[it].without(self.towards, heights[it])));
         heights.iter().all(|height| *height < -reach) || is_apart(aside, Point::ORIGIN, reach)
     }

@@ -58,9 +58,10 @@ pub(crate) const LONGEST_BLOCK: u32 = to_u32(LONGEST);
 /// Switches of the culling techniques.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Culling {
-    /// Whether camera rays test only the shapes whose [`screen_bounds`] contain the pixel, and shadows are computed from
-    /// the light's side ([`light_occluders`], [`light_visibility`]).
-    pub(crate) is_known: bool,
+    /// Whether the shapes are prepared for the views from the camera and from the lights: camera rays test only those whose
+    /// [`screen_bounds`] contain the pixel, and shadows are computed from the light's side ([`light_occluders`],
+    /// [`light_visibility`]).
+    pub(crate) views: bool,
     /// Whether shadow rays test only the shapes that [`light_table`] lists for their direction.
     pub(crate) light_tables: bool,
     /// Whether rays that no table covers test only the shapes in the balls of the [`hierarchy`] that they
@@ -74,7 +75,7 @@ pub struct Culling {
 impl Culling {
     /// Switches with every technique on.
     pub(crate) const ALL: Self = Self {
-        is_known: true,
+        views: true,
         light_tables: true,
         hierarchy: true,
         lists: false,
@@ -82,7 +83,7 @@ impl Culling {
 
     /// Switches with every technique off: the plain path, which tests every shape.
     pub(crate) const NONE: Self = Self {
-        is_known: false,
+        views: false,
         light_tables: false,
         hierarchy: false,
         lists: false,
@@ -96,7 +97,7 @@ impl Culling {
 
     /// Tests whether a technique is on that replaces the plain path. The lists do not.
     pub(crate) const fn is_any(self) -> bool {
-        self.is_known || self.light_tables || self.hierarchy
+        self.views || self.light_tables || self.hierarchy
     }
 }
 

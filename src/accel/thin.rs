@@ -41,6 +41,7 @@ fn is_thin<K: Bounded>(shape: &K, row: &RowPlane, may_be_small: bool) -> bool {
     // The length of a pixel at the shape's depth, times `distance`.
     let pixel = 2 * shifted(depth, (-axis.scale).min(26));
     let is_below = |length: i32, pixels: i64| wide(length, axis.distance) < pixels * pixel;
+    // Seen from its side, a flat shape is thin.
     let share = match K::IS_FLAT {
         true => shape.normal(center).dot(axis.ahead),
         false => Unit::ONE,

@@ -107,11 +107,11 @@ impl<S: Drawable, Q: Quality, K: Shading> PreparedFrame<S, Q, K> {
             1 => camera.generator(width, height),
             _ => camera.corners(width, height),
         };
-        frame.lights = match Q::CULLING.is_known {
+        frame.lights = match Q::CULLING.views {
             true => LightVisibility::new(world, from),
             false => LightVisibility::unclear(from),
         };
-        if Q::CULLING.is_known && from.is_near() {
+        if Q::CULLING.views && from.is_near() {
             let bounds = frame.bounds.insert(ScreenBounds::empty());
             bounds.look(world, &camera.screen_axes(&generator, from.point));
         }
@@ -287,7 +287,7 @@ impl<'a, S: Drawable, Q: Quality, K: Shading> Rows<'a, S, Q, K> {
         let from = (from, generator.row_plane(y, from.point));
         let culling = match Tracer::<S::World<'a>, K, Q>::IS_PLAIN {
             true => ScreenCulling::new::<false>(bounds, from, y, true),
-            false => ScreenCulling::new::<true>(bounds, from, y, !Q::CULLING.is_known),
+            false => ScreenCulling::new::<true>(bounds, from, y, !Q::CULLING.views),
         };
         Tracer::new(
             &self.world,

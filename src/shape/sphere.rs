@@ -142,9 +142,8 @@ impl PreparedSphere {
         self.seen_from(light)
     }
 
-    /// Tests whether the length of the tangents decides which points the sphere hides from the point for
-    /// which `from` was prepared. That point must lie outside of the sphere and must not be too far
-    /// away.
+    /// Tests whether the length of the tangents tells what the sphere hides from the point for which `from` was prepared.
+    /// It does if the point lies outside of the sphere, and not too far away for the sphere's size.
     ///
     /// A distance along a ray is known to a few steps. For a sphere at the distance D, such an error
     /// becomes D / radius times as large across the ray. It stays below 1/32 of the radius if

@@ -92,6 +92,7 @@ impl<W: World, K: Shading, Q: PathQuality> Tracer<'_, W, K, Q> {
         match cast.zip(self.shadows.as_deref_mut()) {
             Some((cast, shadows)) => shadows.of(self.world, cast, shadow).until(column),
             None => {
+                // If only the column itself is known, a border comes next or there are more than can be noted.
                 let borders = shadows::borders_from(column, self.world, shadow);
                 borders.until(column).filter(|until| *until > column)
             }

@@ -129,7 +129,8 @@ impl<W: World, Q: CullingQuality> Visibility for Culled<'_, W, Q> {
         (light, index): (&LightOccluders<W::Room>, usize),
         (direction, distance): (Direction, Length),
     ) -> bool {
-        // That no light has a small sphere is known when the program is compiled, if the scene is constant.
+        // The tangents do not tell what a small sphere hides, so the plain path tests. In a constant scene the compiler
+        // knows whether any light has such a sphere, and leaves this out if none has.
         let mut lights = self.lights().iter();
         if light.light().has_small && lights.any(|it| it.light().has_small) {
             let ray = ScaledRay::new(surface.place, direction.reversed());

@@ -10,7 +10,8 @@ use crate::vector::Position;
 
 type Built = Scene<Room<2, 0, 1, 1, 1, 1, 1>>;
 
-/// Returns a sphere, a small one, a wire, a disc and a triangle, and a light at a distance: a sun if `is_sun`.
+/// Returns a scene of two spheres, a wire, a disc and a triangle at random places. Its light is a sun if `is_sun`, else a
+/// lamp that is up to `far` away along each axis.
 fn scene(sweep: &mut Sweep, far: f64, is_sun: bool) -> Built {
     let mut scene = RuntimeScene::<Room<2, 0, 1, 1, 1, 1, 1>>::new();
     let white = scene.add_material(Material::new([1.0; 3])).unwrap();

@@ -433,8 +433,8 @@ fn miss_is_the_sky_in_the_direction_of_the_ray() {
     assert_ne!(seen(0.01).1, seen(-0.01).1);
 }
 
-/// A sphere that is so small for its distance from the light that its tangents tell nothing hides what it hides on the
-/// plain path, and it alone: the light stays plain.
+/// A sphere may be so small for its distance from the light that the length of its tangents does not tell what it hides.
+/// It hides the points behind it all the same, and no others. The light still counts as plain.
 #[test]
 fn a_small_sphere_far_from_a_light_hides_what_is_behind_it() {
     let mut scene = RuntimeScene::<Room<2, 1, 0, 1, 1>>::new();
@@ -453,7 +453,7 @@ fn a_small_sphere_far_from_a_light_hides_what_is_behind_it() {
     let floor = ShapeId::at(parts.bounded());
     let mut surface = Surface::new(&scene, ScaledPoint::ORIGIN, floor, Direction::X).unwrap();
     for aside in [0, 9, 10, 15, 17, 25] {
-        // The ray passes the centre at this distance, in sixteenths of the radius.
+        // How far from the sphere's centre the ray passes. It is given in sixteenths of the radius.
         let aside = radius * f64::from(aside) / 16.0;
         for (x, is_behind) in [
             (-far / 2.0, false),
