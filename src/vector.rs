@@ -45,6 +45,11 @@ impl Point {
         Self::new(way.x, way.y, way.z)
     }
 
+    /// Returns the point that divides the way to another one, at a share of it.
+    pub(crate) fn towards(self, other: Self, share: Unit) -> Self {
+        Self::at(self.to_vector().plus(self.to(other).part(share)))
+    }
+
     /// Returns the vector from the middle of the scene to the point.
     pub const fn to_vector(self) -> Vector {
         Vector::new(self.x, self.y, self.z)

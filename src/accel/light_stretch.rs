@@ -114,9 +114,18 @@ impl Found<'_> {
         if is_own && is_closed {
             return false;
         }
-        if self.sight.misses(shape.bounding_ball()) {
-            return false;
-        }
+        !self.sight.misses(shape.bounding_ball()) && self.hides(shape, from, is_own)
+    }
+
+    /// Tests whether a shape that the beam meets hides all points of the stretch. Notes if it may hide some of them. Compiled
+    /// once for each kind, not for each scene.
+    #[inline(never)]
+    fn hides<K: Bordered>(
+        &mut self,
+        shape: &K,
+        from: &<K as Bounded>::FromLight,
+        is_own: bool,
+    ) -> bool {
         let (rays, epsilon) = (self.sight.rays, self.epsilon);
         let hides = match self.sight.fan() {
             Some(fan) if shape.spares(from, fan) => return false,

@@ -33,6 +33,7 @@ pub struct Parabola([Sum; 3]);
 
 impl Parabola {
     /// Returns the parabola through the sums of columns 0, `half` and `length`.
+    #[inline(never)]
     pub fn through([start, middle, end]: [Sum; 3], half: u32, length: u32) -> Self {
         let [near, far, whole] = [half, length - half, length].map(reciprocal);
         let before = middle.each(start, |middle, start| scaled_by_unit(middle - start, near));

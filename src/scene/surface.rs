@@ -8,6 +8,7 @@ use crate::number::{Unit, absolute};
 use crate::ray::{ScaledPoint, ScaledRay};
 use crate::shape::MaterialId;
 use crate::shape::bounded::Bounded;
+use crate::shape::plane::PreparedPlane;
 use crate::vector::{Direction, Point};
 
 /// The surface at a hit: its normal, its material, and the point where rays leave it.
@@ -68,6 +69,24 @@ impl<'a> Surface<'a> {
             true => surface.bent(&parts, at.point),
             false => surface,
         })
+    }
+
+    /// Returns a plane, seen at right angles from one side: from behind if `is_inside`. Its place is not set.
+    pub(crate) fn flat(
+        parts: &Parts<'a>,
+        (plane, shape, is_inside): (&PreparedPlane, ShapeId, bool),
+    ) -> Self {
+        let normal = plane.normal.reversed_if(is_inside);
+        Self {
+            place: ScaledPoint::ORIGIN,
+            normal,
+            view: normal.reversed(),
+            facing: Unit::ONE,
+            shape,
+            is_inside,
+            material: parts.material(plane.material),
+            number: plane.material,
+        }
     }
 
     /// Returns the surface with the normal of a smooth shape at a near point on it, if it has one.

@@ -3,7 +3,7 @@
 use core::marker::PhantomData;
 
 use super::smooth::{Glance, Samples, begins_sharply, may_begin, quarter, samples};
-use super::{LightQuality, Lit, Visibility, lit_color};
+use super::{LightQuality, Lit, Visibility, lit_color, near_strength};
 use crate::background::Beyond;
 use crate::color::{Color, halved};
 use crate::number::{
@@ -59,6 +59,14 @@ pub(crate) mod sealed {
             surface: &Surface<'_>,
             visibility: &V,
         ) -> Lit;
+
+        /// Tests whether a clear light shines on a near surface.
+        fn shines<W: SceneAccess, Q: LightQuality, V: Visibility>(
+            world: &W,
+            surface: &Surface<'_>,
+            visibility: &V,
+            light: (&V::Light, usize),
+        ) -> bool;
 
         /// Returns how many pixels show how the highlight of a light changes between two points of a surface.
         fn samples(ends: &[Glance; 2], bend: i32, shininess: Exponent) -> Samples;
@@ -118,6 +126,20 @@ impl<H: Highlight> sealed::Shading for H {
         lit_color::<W, Q, V, Self>(world, surface, visibility)
     }
 
+    #[inline(always)]
+    fn shines<W: SceneAccess, Q: LightQuality, V: Visibility>(
+        world: &W,
+        surface: &Surface<'_>,
+        visibility: &V,
+        light: (&V::Light, usize),
+    ) -> bool {
+        let strength = match Q::IS_PRECISE {
+            true => near_strength::<W, V, Self, true>(world, surface, visibility, light),
+            false => near_strength::<W, V, Self, false>(world, surface, visibility, light),
+        };
+        strength > Brightness::ZERO
+    }
+
     fn samples(ends: &[Glance; 2], bend: i32, shininess: Exponent) -> Samples {
         let ends = ends.each_ref().map(H::deviation);
         match begins_sharply::<H>(shininess) && may_begin(ends, bend) {
@@ -146,6 +168,15 @@ impl sealed::Shading for Normals {
             color: Color::new(surface.normal.components().map(halved)).in_levels(),
             lights: 0,
         }
+    }
+
+    fn shines<W: SceneAccess, Q: LightQuality, V: Visibility>(
+        _: &W,
+        _: &Surface<'_>,
+        _: &V,
+        _: (&V::Light, usize),
+    ) -> bool {
+        false
     }
 
     fn samples(_: &[Glance; 2], _: i32, _: Exponent) -> Samples {

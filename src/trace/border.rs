@@ -3,10 +3,15 @@
 
 use super::stops::Stop;
 use super::stretch::Between;
+use super::visibility::Culled;
 use super::{PathQuality, Progress, Stops, Tracer};
 use crate::accel::World;
-use crate::number::{narrowed_unsigned, root_of_square, unsigned};
+use crate::accel::shadows::Pencil;
+use crate::number::{
+    Unit, bit_modulo_32, narrowed_unsigned, ratio, root_of_square, scaled_by_unit, unsigned,
+};
 use crate::ray::ScaledPoint;
+use crate::scene::Surface;
 use crate::shade::highlight::sealed::Shading;
 use crate::shape::plane::PreparedPlane;
 use crate::vector::Point;
@@ -32,8 +37,10 @@ impl<W: World, K: Shading, Q: PathQuality> Tracer<'_, W, K, Q> {
         for (level, (one, other)) in start.iter().zip(end).enumerate() {
             if one.shape != other.shape {
                 let shapes = [one.shape, other.shape];
-                if parts.planes.len() > 1 && shapes.iter().all(|it| parts.is_plane(*it)) {
-                    return planes_meet(self.world, eye, between.1, (paths, level));
+                if let (true, [Some(one), Some(other)]) =
+                    (parts.planes.len() > 1, shapes.map(|it| parts.plane(it)))
+                {
+                    return planes_meet([one, other], eye, between.1, (paths, level));
                 }
                 return match level < 2 && parts.has_bounded() {
                     true => self.culling.border(self.world, mirror, between, shapes),
@@ -46,10 +53,106 @@ impl<W: World, K: Shading, Q: PathQuality> Tracer<'_, W, K, Q> {
                     return Some(until);
                 }
             }
-            mirror = Some((one.shape, parts.plane(one.shape)?));
+            let plane = parts.plane(one.shape)?;
+            if one.lights != other.lights {
+                return self.shadow_border(between.1, (paths, level), plane);
+            }
+            mirror = Some((one.shape, plane));
         }
         None
     }
+}
+
+impl<W: World, K: Shading, Q: PathQuality> Tracer<'_, W, K, Q> {
+    /// Returns the last column before a near light begins or ceases to shine on a plane, found by bisection. Both paths show
+    /// the plane at this level, and have met the same flat mirrors before. `None` if a place is far.
+    #[inline(never)]
+    fn shadow_border(
+        &self,
+        columns: [u32; 2],
+        (paths, level): ([&[Stop]; 2], usize),
+        plane: &PreparedPlane,
+    ) -> Option<u32> {
+        let world = self.world;
+        let line = PlaneLine::new(&self.culling.pencil()?, columns, (paths, level))?;
+        let [one, other] = line.ends;
+        // In a scene with checkers, the first bit is that of the cell.
+        let shift = u32::from(W::NEEDS.checkers);
+        let [lights, others] = [one, other].map(|stop| stop.lights.rotate_right(shift));
+        let index = (lights ^ others).trailing_zeros() as usize;
+        let light = world.tables().light_occluders.get(index)?;
+        if !self.visibility.is_clear(index) {
+            return None;
+        }
+        let mut surface = Surface::flat(&world.parts(), (plane, one.shape, one.is_inside));
+        let visibility = Culled::<W, Q>::new(world, self.visibility);
+        let is_lit = lights & bit_modulo_32(index) != 0;
+        let [mut before, mut after] = columns;
+        while after - before > 1 {
+            let column = before.midpoint(after);
+            surface.place = line.at(column);
+            match K::shines::<W, Q, _>(world, &surface, &visibility, (light, index)) == is_lit {
+                true => before = column,
+                false => after = column,
+            }
+        }
+        Some(before)
+    }
+}
+
+/// The straight line that a stretch shows of a plane, directly or behind flat mirrors.
+struct PlaneLine<'a> {
+    columns: [u32; 2],
+    /// The hits of the two columns.
+    ends: [&'a Stop; 2],
+    /// How far the two hits lie ahead of the eye, or of its image behind the mirrors, in any unit.
+    depths: [u32; 2],
+}
+
+impl<'a> PlaneLine<'a> {
+    /// Returns the line between the hits of two paths at this level. `None` if one is far.
+    #[inline(never)]
+    fn new(
+        pencil: &Pencil,
+        columns: [u32; 2],
+        (paths, level): ([&'a [Stop]; 2], usize),
+    ) -> Option<Self> {
+        let [one, other] = paths.map(|path| depth(pencil, path.get(..=level)?));
+        let [(one, start), (other, end)] = [one?, other?];
+        Some(Self {
+            columns,
+            ends: [one, other],
+            depths: coarse([start, end]),
+        })
+    }
+
+    /// Returns the point that a column between the two shows. It divides the line as the column divides the columns, each
+    /// part weighted with the depth of its end.
+    #[inline(never)]
+    fn at(&self, column: u32) -> ScaledPoint {
+        let ([first, last], [near, far]) = (self.columns, self.depths);
+        let [part, rest] = [(column - first) * near, (last - column) * far];
+        let share = Unit::from_bits(ratio(part, (part + rest).max(1)));
+        let [from, to] = self.ends.map(|end| end.place.point);
+        ScaledPoint::at(from.towards(to, share))
+    }
+}
+
+/// Returns the last hit of a path, and how far it lies ahead of the eye, or of the eye's image behind flat mirrors, in
+/// units of four steps. `None` if a hit is far.
+#[inline(never)]
+fn depth<'a>(pencil: &Pencil, path: &'a [Stop]) -> Option<(&'a Stop, u32)> {
+    let (mut from, mut length, mut cosine) = (pencil.eye, 0, None);
+    for stop in path {
+        if !stop.place.is_near() {
+            return None;
+        }
+        let (direction, way) = from.to(stop.place.point).normalised();
+        cosine = cosine.or(Some(direction.dot(pencil.row.axis.ahead)));
+        from = stop.place.point;
+        length += way.to_bits() >> 2;
+    }
+    Some((path.last()?, unsigned(scaled_by_unit(length, cosine?))))
 }
 
 /// Returns the last column before two planes meet: the first of two paths shows one of them at this level, the last
@@ -60,24 +163,22 @@ impl<W: World, K: Shading, Q: PathQuality> Tracer<'_, W, K, Q> {
 /// cosine of the angle to the row's middle, which hardly changes in a block. So the border divides the columns as the
 /// products at both ends divide their sum.
 #[inline(never)]
-fn planes_meet<W: World>(
-    world: &W,
+fn planes_meet(
+    planes: [&PreparedPlane; 2],
     eye: ScaledPoint,
     [first, last]: [u32; 2],
     (paths, level): ([&[Stop]; 2], usize),
 ) -> Option<u32> {
-    let parts = world.parts();
     let (mut slopes, mut above, mut lengths) = ([0; 2], [0; 2], [0; 2]);
     for side in 0..2 {
-        let other = paths[1 - side].get(level)?.shape;
         let (end, before) = paths[side].get(..=level)?.split_last()?;
         let from = before.last().map_or(eye, |stop| stop.place);
         if !from.is_near() || !end.place.is_near() {
             return None;
         }
         let [from, at] = [from, end.place].map(|it| it.point);
-        slopes[side] = height(parts.plane(end.shape)?, from);
-        above[side] = height(parts.plane(other)?, at);
+        slopes[side] = height(planes[side], from);
+        above[side] = height(planes[1 - side], at);
         lengths[1 - side] = unsigned(root_of_square(from.to(at).square()));
     }
     let factors = [slopes, above, lengths].map(coarse);

@@ -201,14 +201,16 @@ impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
                 break;
             };
             traced.signature.note(surface.shape.side(surface.is_inside));
-            if is_seen(throughput) {
-                stops.add(Some(&surface), surface.view);
-            }
             let reflected = Self::reflected(world, &surface, throughput);
+            let mut lights = 0;
             if reflected < throughput && Self::has_own(world, &surface) {
                 let lit = self.shade(&surface);
-                traced.signature.note(lit.lights);
+                lights = lit.lights;
+                traced.signature.note(lights);
                 traced.sum.add(throughput - reflected, lit.color);
+            }
+            if is_seen(throughput) {
+                stops.add(Some((&surface, lights)), surface.view);
             }
             throughput = reflected;
             if throughput == Unit::ZERO || self.is_cut_off(throughput, bounce.count) {

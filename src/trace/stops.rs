@@ -21,6 +21,8 @@ pub(super) struct Stop {
     /// The shape; [`ShapeId::NONE`] if the path hit nothing.
     pub(super) shape: ShapeId,
     pub(super) is_inside: bool,
+    /// The lights that shine on it, as in [`Lit::lights`](crate::shade::Lit).
+    pub(super) lights: u32,
     /// Point epsilon above the surface; if nothing is hit, a point very far away.
     pub(super) place: ScaledPoint,
 }
@@ -31,30 +33,33 @@ impl Stops {
         stops: [Stop {
             shape: ShapeId::at(0),
             is_inside: false,
+            lights: 0,
             place: ScaledPoint::ORIGIN,
         }; STOPS],
         count: 0,
     };
 
-    /// Adds a hit if there is room.
+    /// Adds a hit, with the lights that shine on it, if there is room.
     #[inline(always)]
-    pub(super) fn add(&mut self, surface: Option<&Surface<'_>>, direction: Direction) {
+    pub(super) fn add(&mut self, hit: Option<(&Surface<'_>, u32)>, direction: Direction) {
         let Some(stop) = self.stops.get_mut(self.count) else {
             return;
         };
         self.count += 1;
-        match surface {
+        match hit {
             None => {
                 *stop = Stop {
                     shape: ShapeId::NONE,
                     is_inside: false,
+                    lights: 0,
                     place: ScaledPoint::beyond(direction),
                 }
             }
-            Some(surface) => {
+            Some((surface, lights)) => {
                 *stop = Stop {
                     shape: surface.shape,
                     is_inside: surface.is_inside,
+                    lights,
                     place: surface.place,
                 }
             }

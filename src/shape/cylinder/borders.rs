@@ -1,7 +1,9 @@
 //! Where a cylinder begins and ends in a row, and what it surely does to a stretch.
 
 use super::{CylinderFromLight, CylinderFromPoint, PreparedCylinder};
-use crate::number::{Unit, ratio, scaled_by_unit, signed, signed_wide, square_root, wide};
+use crate::number::{
+    Unit, ratio, root_of_unit, scaled_by_unit, signed, signed_wide, square_root, unit_product, wide,
+};
 use crate::ray::{ANY_COLUMN, Chord, NO_COLUMN, RowPlane, Span, column};
 use crate::shape::bordered::{Ball, Bordered, Fan, square};
 use crate::shape::rays::SLACK;
@@ -96,6 +98,14 @@ struct AlongAxis {
 }
 
 impl PreparedCylinder {
+    /// Returns the sine of the angle between a direction and the axis, but at least 1 / 16: a smaller one is not exact.
+    #[inline(never)]
+    fn sine(&self, direction: Direction) -> Unit {
+        let along = self.axis.dot(direction);
+        let square = (Unit::ONE - unit_product(along, along)).max(Unit::from_bits(1 << 22));
+        root_of_unit(square)
+    }
+
     /// Returns the rays of a light to the two ends of a near fan. Further than `half` from the cylinder's middle they
     /// do not count.
     #[inline(never)]
@@ -125,15 +135,24 @@ impl PreparedCylinder {
         }
     }
 
-    /// Tests whether the rays of a near fan surely pass the cylinder: above or below it, or beside it where they are
-    /// between its rims. There they are a convex figure, which a line parallel to its side keeps from the circle.
+    /// Tests whether the rays of a near fan surely pass the cylinder: on one side of its axis, above or below it, or
+    /// beside it where they are between its rims. There they are a convex figure, which a line parallel to its side
+    /// keeps from the circle.
     #[inline(never)]
     pub(super) fn is_passed(&self, from: &CylinderFromLight, fan: &Fan) -> bool {
+        let more = fan.thickness + SLACK;
+        let (half, radius) = (self.half_height + more, self.radius + more);
+        let [one, other] = fan.ends.map(|end| {
+            let aside = from.from.sideways(end);
+            let is_beside = aside.abs() > scaled_by_unit(radius, self.sine(end));
+            aside.signum() * i32::from(is_beside)
+        });
+        if one * other > 0 {
+            return true;
+        }
         if fan.is_far() {
             return false;
         }
-        let more = fan.thickness + SLACK;
-        let (half, radius) = (self.half_height + more, self.radius + more);
         let seen = self.along_axis(from, fan, half);
         let [one, other] = seen.heights;
         one.min(other).min(seen.light) > half
@@ -207,7 +226,8 @@ impl PreparedCylinder {
             match row.chord(way, self.axis, radius) {
                 Chord::None => {}
                 Chord::Ends(ends, true) => {
-                    for (rim, end) in rims.iter_mut().zip(ends) {
+                    // What lies to the left of the picture changes none of its columns.
+                    for (rim, end) in rims.iter_mut().zip(ends).filter(|(_, end)| *end > -32) {
                         *rim = column((end - 6) >> 4).min(ANY_COLUMN - 1);
                     }
                 }
