@@ -6,19 +6,12 @@
 //! kernels work on it directly. Else it is *far*: its point is in steps of 2ˢ, and a ray that starts
 //! there is first moved to the ball.
 
-mod chord;
-mod line;
 mod row_plane;
 mod screen_axis;
-mod shadows;
 
-pub use chord::ChordLine;
-pub use line::{Cut, Line};
 pub(crate) use row_plane::{ANY_COLUMN, Chord, NO_COLUMN, SLACK, Seen, column};
 pub use row_plane::{RowPlane, Span};
 pub(crate) use screen_axis::ScreenAxis;
-pub(crate) use shadows::within_reach;
-pub use shadows::{Borders, Shadows};
 
 use crate::number::{
     Length, high, offset_modulo_2_32, product_modulo_2_32, sum_modulo_2_32, to_u16, unsigned,

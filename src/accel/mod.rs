@@ -23,7 +23,6 @@ mod screen_axis;
 pub(crate) mod screen_bounds;
 pub(crate) mod screen_culling;
 mod screen_rect;
-pub(crate) mod shadows;
 mod static_scene;
 pub(crate) mod stretch;
 pub(crate) mod thin;

@@ -10,7 +10,6 @@ use super::active_list::Window;
 use super::active_lists::ActiveLists;
 use super::beside::{Beside, Part};
 use super::screen_bounds::ScreenBounds;
-use super::shadows::Pencil;
 use super::stretch::Stretch;
 use crate::number::to_u16;
 use crate::ray::{Ray, RowPlane, ScaledPoint};
@@ -208,12 +207,9 @@ impl<'a, W: World> ScreenCulling<'a, W> {
         Some((self.camera?, self.direct.row.normal))
     }
 
-    /// Returns the rays of the camera, `None` if it is far.
-    pub(crate) fn pencil(&self) -> Option<Pencil> {
-        Some(Pencil {
-            eye: self.camera?,
-            row: self.direct.row,
-        })
+    /// Returns the camera, and the direction ahead, to the middle of the row. `None` if the camera is far.
+    pub(crate) fn ahead(&self) -> Option<(Point, Direction)> {
+        Some((self.camera?, self.direct.row.axis.ahead))
     }
 
     /// Prepares the active list for rays mirrored in another plane. Returns `None` if the camera or its

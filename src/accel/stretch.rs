@@ -5,12 +5,12 @@
 
 use super::active_list::{ActiveList, ActiveShape, Storage};
 use super::active_lists::{ActiveLists, ActiveRoom};
-use crate::number::root_of_square;
+use crate::number::{Length, root_of_square};
 use crate::ray::{ANY_COLUMN, Span};
 use crate::scene::access::{SceneAccess, ShapeId};
 use crate::shape::bordered::{Ball, Bordered};
 use crate::shape::plane::PreparedPlane;
-use crate::vector::Point;
+use crate::vector::{Direction, Point, Vector};
 
 /// The pixels between two traced ones, and the surface that both ends hit.
 pub(crate) struct Stretch<'a> {
@@ -55,9 +55,13 @@ impl Chord {
 }
 
 /// Tests whether a point lies further than `reach` steps from the segment between two others.
-pub(super) fn is_apart([first, last]: [Point; 2], point: Point, reach: i32) -> bool {
-    let (direction, length) = first.to(last).normalised();
-    let way = first.to(point);
+fn is_apart([first, last]: [Point; 2], point: Point, reach: i32) -> bool {
+    is_off(first.to(last).normalised(), first.to(point), reach)
+}
+
+/// Tests whether a point lies further than `reach` steps from a segment, given by its direction and its length. `way` leads
+/// from the segment's start to the point.
+pub(super) fn is_off((direction, length): (Direction, Length), way: Vector, reach: i32) -> bool {
     let along = way.dot(direction).max(0).min(length.to_bits());
     let reach = u64::from(reach.unsigned_abs());
     way.without(direction, along).square() > reach * reach

@@ -47,8 +47,7 @@ pub use product::{
     add_high_positive, high, high_positive, high_unsigned, wide, wide_positive, wide_unsigned,
 };
 pub use root::{
-    Quotient, divide, over, ratio, reciprocal_root, root_of_square, root_of_unit, share_of,
-    square_root, unit_shift,
+    Quotient, divide, ratio, reciprocal_root, root_of_square, root_of_unit, square_root, unit_shift,
 };
 pub use zeros::leading_zeros;
 

@@ -138,35 +138,6 @@ pub const fn ratio(numerator: u32, denominator: u32) -> i32 {
     signed(high_unsigned(shifted_left(numerator, zeros), reciprocal))
 }
 
-/// Returns `part` / `whole`, `None` if it is not below 1. `part` is not below 0.
-pub const fn share_of(part: i32, whole: i32) -> Option<Unit> {
-    match part < whole {
-        true => Some(Unit::from_bits(ratio(unsigned(part), unsigned(whole)))),
-        false => None,
-    }
-}
-
-/// Returns `length` / `sine`, with a relative error below 2⁻²⁶ and rounded towards 0. `None` if it is 2³⁰ or
-/// more in magnitude.
-pub const fn over(length: i32, sine: Unit) -> Option<i32> {
-    let Quotient { mantissa, exponent } =
-        divide(length.unsigned_abs() as u64, sine.to_bits().unsigned_abs());
-    let way = match exponent + 30 {
-        0.. => return None,
-        -31..=-1 => mantissa >> -(exponent + 30),
-        _ => 0,
-    };
-    if way >= 1 << 30 {
-        return None;
-    }
-    let way = signed(way);
-    Some(if (length < 0) == (sine.to_bits() < 0) {
-        way
-    } else {
-        -way
-    })
-}
-
 /// Returns `numerator` / `denominator`, with a relative error below 2⁻²⁶. The denominator is
 /// 1 to 2³² - 1. The numerator is at least 1; 0 counts as 1.
 pub const fn divide(numerator: u64, denominator: u32) -> Quotient {

@@ -39,41 +39,6 @@ pub enum Seen {
     At([i32; 2]),
 }
 
-/// A border in a row: all pixels before `first` are on one side of it, all pixels after `last` on the other.
-/// Pixels from `first` to `last` are in doubt. There may be none: then `first` is `last` + 1.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Border {
-    pub(crate) first: i32,
-    pub(crate) last: i32,
-}
-
-impl Border {
-    /// A border of which nothing is known: all pixels are in doubt.
-    pub(crate) const ANYWHERE: Self = Self {
-        first: 0,
-        last: i32::MAX,
-    };
-
-    /// A border beyond the last column of any picture.
-    pub(crate) const NOWHERE: Self = Self {
-        first: i32::MAX,
-        last: i32::MAX - 1,
-    };
-
-    /// Returns the border that lies where `seen` says.
-    pub(crate) fn of(seen: Seen) -> Self {
-        match seen {
-            Seen::Behind | Seen::Left | Seen::Right => Self::NOWHERE,
-            Seen::Unknown => Self::ANYWHERE,
-            // A column's number is that of its centre.
-            Seen::At([low, high]) => Self {
-                first: (low + 15) >> 4,
-                last: high >> 4,
-            },
-        }
-    }
-}
-
 /// Sentinel for no column.
 pub(crate) const NO_COLUMN: u16 = u16::MAX;
 

@@ -130,22 +130,3 @@ fn trails_of_different_lengths_differ() {
         }
     }
 }
-
-#[test]
-fn more_borders_than_fit_end_what_is_known() {
-    let mut borders = Borders::new(0, 240);
-    let at = |column| Border {
-        first: column,
-        last: column - 1,
-    };
-    // A border to the left of all columns is not noted.
-    borders.add(at(-3));
-    for column in 1..13 {
-        borders.add(at(10 * column));
-        assert!(!borders.has_ended());
-    }
-    assert_eq!((borders.until(0), borders.until(125)), (Some(9), Some(240)));
-    borders.add(at(200));
-    assert!(borders.has_ended());
-    assert_eq!((borders.until(0), borders.until(125)), (Some(0), None));
-}

@@ -11,7 +11,6 @@ use crate::accel::light_visibility::LightVisibility;
 use crate::accel::row_list::row_list;
 use crate::accel::screen_bounds::ScreenBounds;
 use crate::accel::screen_culling::ScreenCulling;
-use crate::accel::shadows::RowShadows;
 use crate::camera::{Camera, RayGenerator, RowDirections};
 use crate::color::Sum;
 use crate::error::Error;
@@ -255,8 +254,7 @@ impl<'a, S: Drawable, Q: Quality, K: Shading> Rows<'a, S, Q, K> {
         draw: impl FnOnce(&mut Colors<'_, '_, S::World<'a>, K, Q>) -> T,
     ) -> (T, Report) {
         let directions = generator.row(y);
-        let mut shadows = RowShadows::NONE;
-        let mut tracer = self.tracer((generator, &directions), y, &mut shadows);
+        let mut tracer = self.tracer((generator, &directions), y);
         let mut colors = Colors::new(&mut tracer, directions, x, self.frame.width);
         let drawn = draw(&mut colors);
         (drawn, Report::of(&tracer))
@@ -275,14 +273,13 @@ impl<'a, S: Drawable, Q: Quality, K: Shading> Rows<'a, S, Q, K> {
         is_empty.then(|| Traced::missed::<_, K>(&self.world).sum)
     }
 
-    /// Returns the tracer for the rays of row `y`. `shadows` is only used in a scene with far lights.
+    /// Returns the tracer for the rays of row `y`.
     #[inline(always)]
-    pub(super) fn tracer<'s>(
-        &'s self,
+    pub(super) fn tracer(
+        &self,
         (generator, directions): (&RayGenerator, &RowDirections),
         y: u32,
-        shadows: &'s mut RowShadows,
-    ) -> Tracer<'s, S::World<'a>, K, Q> {
+    ) -> Tracer<'_, S::World<'a>, K, Q> {
         let (bounds, from) = (self.frame.bounds.as_ref(), self.frame.lights.from);
         let from = (from, generator.row_plane(y, from.point));
         let culling = match Tracer::<S::World<'a>, K, Q>::IS_PLAIN {
@@ -294,7 +291,6 @@ impl<'a, S: Drawable, Q: Quality, K: Shading> Rows<'a, S, Q, K> {
             &self.frame.lights,
             (culling, row_list::<_, Q>(&self.world, from.0, directions)),
             self.frame.reflections,
-            S::World::<'a>::NEEDS.far_lights.then_some(shadows),
         )
     }
 }

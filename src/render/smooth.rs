@@ -23,7 +23,6 @@ use super::interpolate::Colors;
 use super::{Quality, Report, Rows};
 use crate::accel::World;
 use crate::accel::drawable::Drawable;
-use crate::accel::shadows::RowShadows;
 use crate::accel::thin::shows_thin;
 use crate::camera::RayGenerator;
 use crate::color::{Levels, Sum};
@@ -154,8 +153,7 @@ impl<'a, S: Drawable, Q: Quality, K: Shading> Rows<'a, S, Q, K> {
         draw: impl FnOnce(&mut SmoothColors<'_, '_, S::World<'a>, K, Q>) -> T,
     ) -> (T, Report) {
         let directions = generator.row_below(y, 0);
-        let mut shadows = RowShadows::NONE;
-        let mut tracer = self.tracer((generator, &directions), y, &mut shadows);
+        let mut tracer = self.tracer((generator, &directions), y);
         let eye = tracer.visibility.from.point;
         let width = self.sides()[0];
         // From a far camera, shapes are small.

@@ -5,7 +5,6 @@ use core::ops::Range;
 
 use super::{Quality, Rows};
 use crate::accel::drawable::Drawable;
-use crate::accel::shadows::RowShadows;
 use crate::shade::Shading;
 use crate::trace::Walked;
 
@@ -17,8 +16,7 @@ impl<S: Drawable, Q: Quality, K: Shading> Rows<'_, S, Q, K> {
     pub(crate) fn walk(&self, y: u32, columns: Range<u32>) -> Option<Vec<Walked>> {
         let generator = self.generator()?;
         let directions = generator.row(y);
-        let mut shadows = RowShadows::NONE;
-        let mut tracer = self.tracer((generator, &directions), y, &mut shadows);
+        let mut tracer = self.tracer((generator, &directions), y);
         let paths = columns.map(|column| {
             let window = tracer.advance(column, column);
             tracer.walk((&window, column), directions.of(column))

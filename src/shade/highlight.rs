@@ -3,7 +3,7 @@
 use core::marker::PhantomData;
 
 use super::smooth::{Glance, Samples, begins_sharply, may_begin, quarter, samples};
-use super::{LightQuality, Lit, Visibility, lit_color, near_strength};
+use super::{LightQuality, Lit, Visibility, lit_color, strength_of};
 use crate::background::Beyond;
 use crate::color::{Color, halved};
 use crate::number::{
@@ -60,7 +60,7 @@ pub(crate) mod sealed {
             visibility: &V,
         ) -> Lit;
 
-        /// Tests whether a clear light shines on a near surface.
+        /// Tests whether a light shines on a surface.
         fn shines<W: SceneAccess, Q: LightQuality, V: Visibility>(
             world: &W,
             surface: &Surface<'_>,
@@ -134,8 +134,8 @@ impl<H: Highlight> sealed::Shading for H {
         light: (&V::Light, usize),
     ) -> bool {
         let strength = match Q::IS_PRECISE {
-            true => near_strength::<W, V, Self, true>(world, surface, visibility, light),
-            false => near_strength::<W, V, Self, false>(world, surface, visibility, light),
+            true => strength_of::<W, V, Self, true>(world, surface, visibility, light),
+            false => strength_of::<W, V, Self, false>(world, surface, visibility, light),
         };
         strength > Brightness::ZERO
     }

@@ -99,25 +99,36 @@ impl<const PRECISE: bool> Received<PRECISE> {
         visibility: &V,
         (light, index): (&V::Light, usize),
     ) {
-        let strength = if !V::IS_KNOWN {
-            strength::<W, V, H>(world, surface, visibility, (light, index))
-        } else if visibility.is_clear(index) && surface.place.is_near() {
-            near_strength::<W, V, H, PRECISE>(world, surface, visibility, (light, index))
-        } else if H::SHADOWS && visibility.is_hidden(index) {
-            return;
-        } else if W::NEEDS.far_lights
-            && visibility.is_open(index)
-            && !V::light(light).place.is_near()
-            && surface.place.is_near()
-        {
-            far_strength::<W, V, H>(world, surface, visibility, light)
-        } else {
-            strength::<W, V, H>(world, surface, visibility, (light, index))
-        };
+        let strength = strength_of::<W, V, H, PRECISE>(world, surface, visibility, (light, index));
         if strength > Brightness::ZERO {
             self.light.add(V::light(light).color, strength);
             self.lights |= bit_modulo_32(index);
         }
+    }
+}
+
+/// Returns how much of a light a surface sends to the viewer. Returns 0 if the light is behind the surface or hidden.
+#[inline(always)]
+fn strength_of<W: SceneAccess, V: Visibility, H: Highlight, const PRECISE: bool>(
+    world: &W,
+    surface: &Surface<'_>,
+    visibility: &V,
+    (light, index): (&V::Light, usize),
+) -> Brightness {
+    if !V::IS_KNOWN {
+        strength::<W, V, H>(world, surface, visibility, (light, index))
+    } else if visibility.is_clear(index) && surface.place.is_near() {
+        near_strength::<W, V, H, PRECISE>(world, surface, visibility, (light, index))
+    } else if H::SHADOWS && visibility.is_hidden(index) {
+        Brightness::ZERO
+    } else if W::NEEDS.far_lights
+        && visibility.is_open(index)
+        && !V::light(light).place.is_near()
+        && surface.place.is_near()
+    {
+        far_strength::<W, V, H>(world, surface, visibility, light)
+    } else {
+        strength::<W, V, H>(world, surface, visibility, (light, index))
     }
 }
 

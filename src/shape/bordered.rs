@@ -6,7 +6,7 @@ use core::fmt::Debug;
 use super::bounded::Bounded;
 use super::rays::{Rays, SLACK};
 use crate::number::{Length, Unit, unsigned_wide, wide};
-use crate::ray::{Cut, Line, REACH, RowPlane, Shadows, Span};
+use crate::ray::{REACH, RowPlane, Span};
 use crate::vector::{Direction, Point, Vector};
 
 /// Ball in steps: centre and radius.
@@ -46,16 +46,6 @@ pub trait Bordered: Bounded {
     /// Tests whether the shape surely hides all points of a fan from its apex. It hides those at its two
     /// ends.
     fn hides(&self, from: &Self::FromLight, fan: &Fan) -> bool;
-}
-
-/// Bounded shape whose shadows on a line have known borders.
-pub trait CastsShadow: Bounded {
-    /// Returns where a line cuts the shape: twice two places between which it does. `way` leads from the
-    /// line's start to the shape's centre.
-    fn cut_by(&self, line: &Line, way: Vector) -> Cut<[[i32; 2]; 2]>;
-
-    /// Adds the borders of the shape's shadow. `way` leads from the line's start to the shape's centre.
-    fn shade(&self, way: Vector, shadows: &mut Shadows<'_>);
 }
 
 /// All rays from a point, the apex, to a curve on a surface. The curve is close to a straight line, so the

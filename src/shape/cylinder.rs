@@ -7,7 +7,6 @@
 mod borders;
 mod from_point;
 mod intersect;
-mod shadow;
 
 pub(crate) use from_point::{CylinderFromLight, CylinderFromPoint};
 

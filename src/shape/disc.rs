@@ -4,7 +4,6 @@
 //! if its distance from the centre, computed as a vector, is not larger than the radius.
 
 mod borders;
-mod shadow;
 
 use super::bordered::square;
 use super::bounded::{Bounded, LightRay, Own, Range};

@@ -8,7 +8,6 @@
 mod borders;
 mod from_point;
 mod intersect;
-mod shadow;
 
 pub(crate) use from_point::SphereFromPoint;
 

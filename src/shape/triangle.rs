@@ -6,7 +6,6 @@
 mod borders;
 mod crossing;
 mod described;
-mod shadow;
 mod smooth;
 
 use described::larger;

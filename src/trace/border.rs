@@ -6,7 +6,6 @@ use super::stretch::Between;
 use super::visibility::Culled;
 use super::{PathQuality, Progress, Stops, Tracer};
 use crate::accel::World;
-use crate::accel::shadows::Pencil;
 use crate::number::{
     Unit, bit_modulo_32, narrowed_unsigned, ratio, root_of_square, scaled_by_unit, unsigned,
 };
@@ -14,7 +13,7 @@ use crate::ray::ScaledPoint;
 use crate::scene::Surface;
 use crate::shade::highlight::sealed::Shading;
 use crate::shape::plane::PreparedPlane;
-use crate::vector::Point;
+use crate::vector::{Direction, Point};
 
 impl<W: World, K: Shading, Q: PathQuality> Tracer<'_, W, K, Q> {
     /// Returns the last column before a shape or a shadow ends or begins between two traced pixels: one that kept
@@ -47,12 +46,6 @@ impl<W: World, K: Shading, Q: PathQuality> Tracer<'_, W, K, Q> {
                     false => None,
                 };
             }
-            if level < 2 {
-                let until = self.far_lights_until(between.1, start, level)?;
-                if until < last {
-                    return Some(until);
-                }
-            }
             let plane = parts.plane(one.shape)?;
             if one.lights != other.lights {
                 return self.shadow_border(between.1, (paths, level), plane);
@@ -74,16 +67,13 @@ impl<W: World, K: Shading, Q: PathQuality> Tracer<'_, W, K, Q> {
         plane: &PreparedPlane,
     ) -> Option<u32> {
         let world = self.world;
-        let line = PlaneLine::new(&self.culling.pencil()?, columns, (paths, level))?;
+        let line = PlaneLine::new(self.culling.ahead()?, columns, (paths, level))?;
         let [one, other] = line.ends;
         // In a scene with checkers, the first bit is that of the cell.
         let shift = u32::from(W::NEEDS.checkers);
         let [lights, others] = [one, other].map(|stop| stop.lights.rotate_right(shift));
         let index = (lights ^ others).trailing_zeros() as usize;
         let light = world.tables().light_occluders.get(index)?;
-        if !self.visibility.is_clear(index) {
-            return None;
-        }
         let mut surface = Surface::flat(&world.parts(), (plane, one.shape, one.is_inside));
         let visibility = Culled::<W, Q>::new(world, self.visibility);
         let is_lit = lights & bit_modulo_32(index) != 0;
@@ -113,11 +103,11 @@ impl<'a> PlaneLine<'a> {
     /// Returns the line between the hits of two paths at this level. `None` if one is far.
     #[inline(never)]
     fn new(
-        pencil: &Pencil,
+        (eye, ahead): (Point, Direction),
         columns: [u32; 2],
         (paths, level): ([&'a [Stop]; 2], usize),
     ) -> Option<Self> {
-        let [one, other] = paths.map(|path| depth(pencil, path.get(..=level)?));
+        let [one, other] = paths.map(|path| depth((eye, ahead), path.get(..=level)?));
         let [(one, start), (other, end)] = [one?, other?];
         Some(Self {
             columns,
@@ -141,14 +131,14 @@ impl<'a> PlaneLine<'a> {
 /// Returns the last hit of a path, and how far it lies ahead of the eye, or of the eye's image behind flat mirrors, in
 /// units of four steps. `None` if a hit is far.
 #[inline(never)]
-fn depth<'a>(pencil: &Pencil, path: &'a [Stop]) -> Option<(&'a Stop, u32)> {
-    let (mut from, mut length, mut cosine) = (pencil.eye, 0, None);
+fn depth<'a>((eye, ahead): (Point, Direction), path: &'a [Stop]) -> Option<(&'a Stop, u32)> {
+    let (mut from, mut length, mut cosine) = (eye, 0, None);
     for stop in path {
         if !stop.place.is_near() {
             return None;
         }
         let (direction, way) = from.to(stop.place.point).normalised();
-        cosine = cosine.or(Some(direction.dot(pencil.row.axis.ahead)));
+        cosine = cosine.or(Some(direction.dot(ahead)));
         from = stop.place.point;
         length += way.to_bits() >> 2;
     }

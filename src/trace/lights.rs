@@ -86,12 +86,11 @@ impl<W: World, K: Shading, Q: PathQuality> Tracer<'_, W, K, Q> {
         }
         let lamp = light.light();
         if W::NEEDS.far_lights && !lamp.place.is_near() {
-            // Shadows of far lights on planes are known by now.
-            let is_known = world.parts().is_plane(shown.lit.shape);
-            let is_open = self.visibility.is_open(index);
-            let towards = lamp.sun().unwrap_or(rays.ends[0].reversed());
-            let shines = is_known || is_open && far_lights_all(world, &shown.lit, towards);
-            return shines.then_some(true);
+            let towards = rays.ends.map(|end| lamp.sun().unwrap_or(end.reversed()));
+            return match self.visibility.is_open(index) {
+                true => far_lights_all(world, &shown.lit, towards),
+                false => None,
+            };
         }
         match self.visibility.is_clear(index) {
             true => lights_all::<W, Q>(world, (light, index), &shown.lit, rays),

@@ -7,7 +7,6 @@
 
 mod border;
 mod bounce;
-mod far_light;
 mod lights;
 mod origin;
 mod shown;
@@ -33,7 +32,6 @@ pub(crate) use walk::{Met, Walked};
 use crate::accel::light_visibility::LightVisibility;
 use crate::accel::row_list::row_list;
 use crate::accel::screen_culling::ScreenCulling;
-use crate::accel::shadows::RowShadows;
 use crate::accel::{CullingQuality, Window, World};
 use crate::camera::RowDirections;
 use crate::color::Sum;
@@ -96,8 +94,6 @@ pub(crate) struct Tracer<'a, W: World, K, Q> {
     culling: ScreenCulling<'a, W>,
     /// The bounded shapes that the camera's rays through this row can hit, on the plain path.
     list: ShapeSet,
-    /// The borders of a far light's shadows that the row asked for last; `None` in a scene without far lights.
-    shadows: Option<&'a mut RowShadows>,
     /// Largest number of reflections of a path.
     reflections: u32,
     /// Number of rays that were followed, without shadow rays.
@@ -114,22 +110,19 @@ impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
     /// Whether pixels are interpolated.
     pub(crate) const IS_INTERPOLATED: bool = Q::TOLERANCE.to_bits() > 0 && !Self::IS_PLAIN;
 
-    /// Makes the tracer of one row of pixels. `reflections` is limited to what the scene needs. `shadows` keeps
-    /// the borders of far lights' shadows from one stretch to the next.
+    /// Makes the tracer of one row of pixels. `reflections` is limited to what the scene needs.
     #[inline(always)]
     pub(crate) fn new(
         world: &'a W,
         visibility: &'a LightVisibility,
         (culling, list): (ScreenCulling<'a, W>, ShapeSet),
         reflections: u8,
-        shadows: Option<&'a mut RowShadows>,
     ) -> Self {
         Self {
             world,
             visibility,
             culling,
             list,
-            shadows,
             reflections: reflections.min(W::NEEDS.reflections).into(),
             rays: 0,
             cut_off: Unit::ZERO,
@@ -235,9 +228,6 @@ impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
         let from = self.visibility.from;
         self.culling.turn(y, plane);
         self.list = row_list::<_, Q>(self.world, from, directions);
-        if let Some(shadows) = self.shadows.as_deref_mut() {
-            *shadows = RowShadows::NONE;
-        }
     }
 
     /// Tests whether the rays after a reflection have known bounds: only planes mirrored them, and not too
