@@ -1,4 +1,3 @@
-use super::row_plane::Border;
 use super::*;
 use crate::number::sweep::Sweep;
 

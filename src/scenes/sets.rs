@@ -44,7 +44,7 @@ fn compare<W: World>(world: &W, camera: &Camera, name: &str) {
         let row = generator.row_plane(y, from.point);
         let tracer = |bounds, is_full| {
             let culling = ScreenCulling::new::<true>(bounds, (from, row), y, is_full);
-            Tracer::<W, BlinnPhong, Fast>::new(world, &view, (culling, *ShapeSet::ALL), 3, None)
+            Tracer::<W, BlinnPhong, Fast>::new(world, &view, (culling, *ShapeSet::ALL), 3)
         };
         let mut some = tracer(bounds.as_ref(), false);
         let mut all = tracer(Some(&everything), true);

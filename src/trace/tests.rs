@@ -69,8 +69,7 @@ fn followed_by<K: Shading, Q: PathQuality, W: World>(
     let camera = Camera::look_at([1.0, 0.0, 0.0], [0.0; 3], [0.0, 0.0, 1.0]);
     let row = camera.generator(1, 1).row_plane(0, path.from().point);
     let culling = ScreenCulling::new::<true>(Some(&bounds), (path.from(), row), 0, true);
-    let mut tracer =
-        Tracer::<_, K, Q>::new(world, &view, (culling, *ShapeSet::ALL), reflections, None);
+    let mut tracer = Tracer::<_, K, Q>::new(world, &view, (culling, *ShapeSet::ALL), reflections);
     let window = tracer.advance(0, 0);
     let mut stops = Stops::NONE;
     Followed {

@@ -83,7 +83,7 @@ fn far_light_shines_on_all_points_where_it_is_said_to() {
         }
     }
     assert!(
-        said * 10 > lit * 80 && lit < 17_000 && lamps > 5_000,
+        said * 100 > lit * 93 && dark[0] * 100 > dark[1] * 99 && lit < 17_000 && lamps > 5_000,
         "{said} of {lit}, {lamps}, {dark:?}"
     );
 }

@@ -86,7 +86,7 @@ fn traced_by<W: World, Q: PathQuality>(
         let row = (from, generator.row_plane(y, from.point));
         let list = row_list::<_, Q>(world, from, &generator.row(y));
         let culling = ScreenCulling::new::<true>(None, row, y, true);
-        let mut tracer = Tracer::<W, BlinnPhong, Q>::new(world, view, (culling, list), 5, None);
+        let mut tracer = Tracer::<W, BlinnPhong, Q>::new(world, view, (culling, list), 5);
         let directions = generator.row(y);
         let pixels = (0..SIZE.0).map(|x| {
             let window = tracer.advance(x, x);
