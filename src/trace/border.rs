@@ -47,7 +47,8 @@ impl<W: World, K: Shading, Q: PathQuality> Tracer<'_, W, K, Q> {
                 };
             }
             let plane = parts.plane(one.shape)?;
-            if one.lights != other.lights {
+            // A scene without bounded shapes links no code for their shadows.
+            if parts.has_bounded() && one.lights != other.lights {
                 return self.shadow_border(between.1, (paths, level), plane);
             }
             mirror = Some((one.shape, plane));
