@@ -9,6 +9,7 @@ mod active_lists;
 mod beside;
 mod cap;
 pub(crate) mod drawable;
+mod far_stretch;
 mod fingerprint;
 pub(crate) mod hierarchy;
 pub(crate) mod light_lists;
@@ -30,7 +31,8 @@ mod within;
 
 pub(crate) use active_list::Window;
 pub(crate) use beside::Beside;
-pub(crate) use light_stretch::{LitStretch, far_lights_all, is_clear_way, lights_all};
+pub(crate) use far_stretch::far_lights_all;
+pub(crate) use light_stretch::{LitStretch, is_clear_way, lights_all};
 pub use motion::MovingScene;
 pub use scene::{Scene, Tabled};
 pub use static_scene::{Apart, Static, StaticScene};

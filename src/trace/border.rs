@@ -55,10 +55,8 @@ impl<W: World, K: Shading, Q: PathQuality> Tracer<'_, W, K, Q> {
         }
         None
     }
-}
 
-impl<W: World, K: Shading, Q: PathQuality> Tracer<'_, W, K, Q> {
-    /// Returns the last column before a near light begins or ceases to shine on a plane, found by bisection. Both paths show
+    /// Returns the last column before a light begins or ceases to shine on a plane, found by bisection. Both paths show
     /// the plane at this level, and have met the same flat mirrors before. `None` if a place is far.
     #[inline(never)]
     fn shadow_border(
@@ -68,13 +66,13 @@ impl<W: World, K: Shading, Q: PathQuality> Tracer<'_, W, K, Q> {
         plane: &PreparedPlane,
     ) -> Option<u32> {
         let world = self.world;
-        let line = PlaneLine::new(self.culling.ahead()?, columns, (paths, level))?;
-        let [one, other] = line.ends;
+        let [one, other] = [paths[0].get(level)?, paths[1].get(level)?];
         // In a scene with checkers, the first bit is that of the cell.
         let shift = u32::from(W::NEEDS.checkers);
         let [lights, others] = [one, other].map(|stop| stop.lights.rotate_right(shift));
         let index = (lights ^ others).trailing_zeros() as usize;
         let light = world.tables().light_occluders.get(index)?;
+        let line = PlaneLine::new(self.culling.ahead()?, columns, (paths, level))?;
         let mut surface = Surface::flat(&world.parts(), (plane, one.shape, one.is_inside));
         let visibility = Culled::<W, Q>::new(world, self.visibility);
         let is_lit = lights & bit_modulo_32(index) != 0;
@@ -132,7 +130,7 @@ impl<'a> PlaneLine<'a> {
 /// Returns the last hit of a path, and how far it lies ahead of the eye, or of the eye's image behind flat mirrors, in
 /// units of four steps. `None` if a hit is far.
 #[inline(never)]
-fn depth<'a>((eye, ahead): (Point, Direction), path: &'a [Stop]) -> Option<(&'a Stop, u32)> {
+fn depth((eye, ahead): (Point, Direction), path: &[Stop]) -> Option<(&Stop, u32)> {
     let (mut from, mut length, mut cosine) = (eye, 0, None);
     for stop in path {
         if !stop.place.is_near() {

@@ -76,6 +76,13 @@ impl Traced {
         missed
     }
 
+    /// Adds the colour of a surface without reflections.
+    #[inline(always)]
+    fn add_own(&mut self, weight: Unit, lit: &Lit) {
+        self.signature.note(lit.lights);
+        self.sum.add(weight, lit.color);
+    }
+
     /// Adds what a ray shows that hits nothing.
     #[inline(always)]
     fn add_missed<W: World, K: Shading>(&mut self, world: &W, weight: Unit, direction: Direction) {
@@ -199,8 +206,7 @@ impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
             if reflected < throughput && Self::has_own(world, &surface) {
                 let lit = self.shade(&surface);
                 lights = lit.lights;
-                traced.signature.note(lights);
-                traced.sum.add(throughput - reflected, lit.color);
+                traced.add_own(throughput - reflected, &lit);
             }
             if is_seen(throughput) {
                 stops.add(Some((&surface, lights)), surface.view);

@@ -5,7 +5,9 @@ use crate::number::sweep::Sweep;
 use crate::ray::ScaledRay;
 use crate::scene::access::SceneAccess;
 use crate::scene::query::occluded;
+use crate::scene::shape_set::ShapeSet;
 use crate::scene::{Room, RuntimeScene};
+use crate::shape::rays::Rays;
 use crate::vector::Position;
 
 type Built = Scene<Room<2, 0, 1, 1, 1, 1, 1>>;

@@ -1,0 +1,146 @@
+//! Whether a far light shines on all points of a stretch, or on none.
+//!
+//! The light's rays to the points of the stretch form a strip. Bound: docs/internals/edges.md proves the rules by which a
+//! shape surely hides all of it, or nothing.
+
+use super::World;
+use super::light_stretch::LitStretch;
+use super::stretch::is_off;
+use crate::number::Length;
+use crate::ray::{Ray, ScaledPoint, shift_of};
+use crate::scene::access::ShapeId;
+use crate::shape::bordered::{Bordered, square};
+use crate::shape::rays::SLACK;
+use crate::vector::{Direction, Point, Vector};
+
+/// All rays from the points of a stretch to a far light: a strip between those of its two ends, as thick as the stretch
+/// bulges. A sun's rays are parallel, and those to a lamp come together.
+struct Strip<'a> {
+    stretch: &'a LitStretch,
+    /// Directions from the two ends to the light.
+    towards: [Direction; 2],
+    /// The vector from the first end to the last, in steps of 2^`scale`.
+    way: Vector,
+    scale: u32,
+    /// Direction and length of the stretch, and both as the light sees them.
+    own: (Direction, Length),
+    seen: (Direction, Length),
+    /// Upper bound of the distance of a ray from the strip, in steps of 2^`scale`.
+    thickness: i32,
+}
+
+impl<'a> Strip<'a> {
+    /// Returns the strip from a stretch. `towards` are the directions from its ends to the light.
+    fn new(stretch: &'a LitStretch, towards: [Direction; 2]) -> Self {
+        let [first, last] = stretch.ends;
+        let (way, scale) = first.to(last);
+        Self {
+            stretch,
+            towards,
+            way,
+            scale,
+            own: way.normalised(),
+            seen: way.without(towards[0], way.dot(towards[0])).normalised(),
+            thickness: (stretch.bulge >> shift_of(scale)) + SLACK,
+        }
+    }
+
+    /// Tests whether the capsule around a shape surely lies behind the start of the strip, or beside it.
+    fn misses<K: Bordered>(&self, shape: &K) -> bool {
+        let (center, half_axis, radius) = shape.outline();
+        let ([ahead, _], shift) = (self.towards, shift_of(self.scale));
+        let reach = (radius >> shift) + self.thickness;
+        let ends = [half_axis, Vector::ZERO.minus(half_axis)].map(|half| {
+            let end = Point::at(center.to_vector().plus(half));
+            self.stretch.ends[0].to(ScaledPoint::at(end)).0
+        });
+        let heights = ends.map(|end| end.dot(ahead));
+        let start = self.way.dot(ahead).min(0);
+        // A body behind the start is compared with the stretch itself, others as the light sees both.
+        let (own, ends) = match heights.iter().all(|height| *height < start) {
+            true => (self.own, ends),
+            false => (
+                self.seen,
+                [0, 1].map(|it| ends[it].without(ahead, heights[it])),
+            ),
+        };
+        if K::IS_BALL || K::IS_FLAT {
+            return is_off(own, ends[0], reach);
+        }
+        let axis = ends[1].minus(ends[0]).normalised();
+        let points = [Vector::ZERO, own.0.scaled(own.1.to_bits())];
+        are_beside(ahead, (Vector::ZERO, own), (ends, reach))
+            || are_beside(ahead, (ends[0], axis), (points, reach))
+    }
+
+    /// Tests whether a shape surely hides all points of the stretch. A convex body that blocks two rays to a light blocks
+    /// all between. A wall that is open at both ends does so if no ray can pass through both.
+    fn is_hidden_by<K: Bordered>(&self, shape: &K) -> bool {
+        let [ahead, _] = self.towards;
+        let (_, half_axis, radius) = shape.outline();
+        let aside = half_axis.without(ahead, half_axis.dot(ahead));
+        let is_flat = self.scale == 0 && self.stretch.bulge == 0;
+        let mut rays = self.stretch.ends.iter().zip(self.towards);
+        is_flat
+            && (K::IS_BALL || K::IS_FLAT || aside.square() > square(radius + SLACK))
+            && rays.all(|(end, direction)| {
+                shape.is_ahead(&Ray {
+                    origin: end.point,
+                    direction,
+                })
+            })
+    }
+}
+
+/// Tests whether two points surely lie further than `reach` from a segment, as a light sees all of them: on one side of it,
+/// or beyond one of its ends. `ahead` leads to the light; the segment is given by its start, its direction and its length.
+#[inline(never)]
+fn are_beside(
+    ahead: Direction,
+    (start, (along, length)): (Vector, (Direction, Length)),
+    (points, reach): ([Vector; 2], i32),
+) -> bool {
+    let passes = |axis: Direction, most: i32| {
+        let [one, other] = points.map(|point| point.minus(start).dot(axis));
+        one.min(other) > most || one.max(other) < -reach
+    };
+    passes(ahead.crossed(along), reach) || passes(along, length.to_bits() + reach)
+}
+
+macro_rules! far_lights {
+    (
+        $header:tt
+        $({ $list:ident $($more:tt)* })*
+    ) => {
+        /// Returns whether a far light that no plane hides shines on all points of a stretch, or on none; `None` if that
+        /// is not sure. The stretch faces it. `towards` are the directions from its ends to the light.
+        #[inline(never)]
+        pub(crate) fn far_lights_all<W: World>(
+            world: &W,
+            stretch: &LitStretch,
+            towards: [Direction; 2],
+        ) -> Option<bool> {
+            let strip = Strip::new(stretch, towards);
+            let (parts, first, mut is_unsure) = (world.parts(), 0, false);
+            $(
+                for (index, shape) in parts.$list.iter().enumerate() {
+                    // A convex surface hides no part of itself that faces the light.
+                    let is_own = stretch.shape == ShapeId::at(first + index);
+                    if !(is_own && !stretch.is_hollow || strip.misses(shape)) {
+                        if !is_own && strip.is_hidden_by(shape) {
+                            return Some(false);
+                        }
+                        is_unsure = true;
+                    }
+                }
+                let first = first + parts.$list.len();
+            )*
+            let _ = first;
+            (!is_unsure).then_some(true)
+        }
+    };
+}
+kinds!(far_lights);
+
+#[cfg(test)]
+mod tests;
