@@ -115,11 +115,11 @@
 //!
 //! | profile | castle flash | castle instr/pixel | corner1 flash | corner1 instr/pixel |
 //! |---|--:|--:|--:|--:|
-//! | lto = true, codegen-units = 1 | 52500 | 1406 | 14956 | 211 |
-//! | Cargo's default release | 68420 | 1498 | 20372 | 251 |
-//! | lto = true, codegen-units = 1, opt-level = "s" | 50560 | 2460 | 16180 | 277 |
-//! | lto = true, codegen-units = 1, opt-level = "z" | 46760 | 3900 | 16488 | 459 |
-//! | Cargo's default dev (debug) | 604592 | 40251 | 556472 | 6221 |
+//! | lto = true, codegen-units = 1 | 54100 | 1425 | 14996 | 212 |
+//! | Cargo's default release | 71420 | 1515 | 20444 | 250 |
+//! | lto = true, codegen-units = 1, opt-level = "s" | 52164 | 2495 | 16232 | 281 |
+//! | lto = true, codegen-units = 1, opt-level = "z" | 48144 | 3935 | 16496 | 462 |
+//! | Cargo's default dev (debug) | 558792 | 40391 | 514352 | 6184 |
 //!
 //! Every profile draws the same picture. If flash is scarce, the quality [`Small`](quality::Small) saves
 //! more than an `opt-level`.
