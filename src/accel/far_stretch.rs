@@ -6,7 +6,7 @@
 use super::World;
 use super::light_stretch::LitStretch;
 use super::stretch::is_off;
-use crate::number::Length;
+use crate::number::{Length, Unit};
 use crate::ray::{Ray, ScaledPoint, shift_of};
 use crate::scene::access::ShapeId;
 use crate::shape::bordered::{Bordered, square};
@@ -52,7 +52,8 @@ impl<'a> Strip<'a> {
         let reach = (radius >> shift) + self.thickness;
         let ends = [half_axis, Vector::ZERO.minus(half_axis)].map(|half| {
             let end = Point::at(center.to_vector().plus(half));
-            self.stretch.ends[0].to(ScaledPoint::at(end)).0
+            let (way, scale) = self.stretch.ends[0].to(ScaledPoint::at(end));
+            way.coarser(shift_of(self.scale - scale))
         });
         let heights = ends.map(|end| end.dot(ahead));
         let start = self.way.dot(ahead).min(0);
@@ -73,16 +74,13 @@ impl<'a> Strip<'a> {
             || are_beside(ahead, (ends[0], axis), (points, reach))
     }
 
-    /// Tests whether a shape surely hides all points of the stretch. A convex body that blocks two rays to a light blocks
-    /// all between. A wall that is open at both ends does so if no ray can pass through both.
+    /// Tests whether a shape surely hides all points of a straight stretch. A convex body that blocks two rays to a light
+    /// blocks all between.
     fn is_hidden_by<K: Bordered>(&self, shape: &K) -> bool {
-        let [ahead, _] = self.towards;
-        let (_, half_axis, radius) = shape.outline();
-        let aside = half_axis.without(ahead, half_axis.dot(ahead));
-        let is_flat = self.scale == 0 && self.stretch.bulge == 0;
+        let is_straight = self.scale == 0 && self.stretch.bulge == 0;
         let mut rays = self.stretch.ends.iter().zip(self.towards);
-        is_flat
-            && (K::IS_BALL || K::IS_FLAT || aside.square() > square(radius + SLACK))
+        is_straight
+            && (K::IS_BALL || K::IS_FLAT || self.is_oblique(shape))
             && rays.all(|(end, direction)| {
                 shape.is_ahead(&Ray {
                     origin: end.point,
@@ -90,7 +88,26 @@ impl<'a> Strip<'a> {
                 })
             })
     }
+
+    /// Tests whether surely no ray passes through both open ends of a shape. As the light sees it, they lie twice the half
+    /// axis apart.
+    ///
+    /// Between two directions up to 20 degrees apart, the part of the half axis along a ray is at most 1.016 times as long
+    /// as along those two. So the square of its part aside is less by a thirty-second of the whole at most.
+    fn is_oblique<K: Bordered>(&self, shape: &K) -> bool {
+        let (_, half_axis, radius) = shape.outline();
+        let [one, other] = self.towards;
+        let least = square(radius + SLACK) + (half_axis.square() >> 5);
+        one.dot(other) > ALIKE
+            && self.towards.iter().all(|ahead| {
+                let aside = half_axis.without(*ahead, half_axis.dot(*ahead));
+                aside.square() > least
+            })
+    }
 }
+
+/// The cosine of 20 degrees.
+const ALIKE: Unit = Unit::from_bits(1_009_000_000);
 
 /// Tests whether two points surely lie further than `reach` from a segment, as a light sees all of them: on one side of it,
 /// or beyond one of its ends. `ahead` leads to the light; the segment is given by its start, its direction and its length.
