@@ -15,6 +15,10 @@ use crate::shade::highlight::sealed::Shading;
 use crate::shape::plane::PreparedPlane;
 use crate::vector::{Direction, Point};
 
+/// Number of columns of the shortest stretch in which the border of a shadow is looked for. In shorter ones, the parts are
+/// so short that little is proved of them.
+const WORTHWHILE: u32 = 16;
+
 impl<W: World, K: Shading, Q: PathQuality> Tracer<'_, W, K, Q> {
     /// Returns the last column before a shape or a shadow ends or begins between two traced pixels: one that kept
     /// `proved` from going on, or one that one of the pixels shows and the other does not, directly or in flat mirrors.
@@ -48,7 +52,7 @@ impl<W: World, K: Shading, Q: PathQuality> Tracer<'_, W, K, Q> {
             }
             let plane = parts.plane(one.shape)?;
             // A scene without bounded shapes links no code for their shadows.
-            if parts.has_bounded() && one.lights != other.lights {
+            if parts.has_bounded() && last - first >= WORTHWHILE && one.lights != other.lights {
                 return self.shadow_border(between.1, (paths, level), plane);
             }
             mirror = Some((one.shape, plane));
