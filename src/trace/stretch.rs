@@ -34,8 +34,7 @@ pub(crate) struct Progress {
     steps: usize,
     /// Number of pixels that show how the colours of the proved hits change.
     pub(crate) samples: Samples,
-    /// The last proof failed because a shape may come to the front, or because a shadow begins or ends: the last column
-    /// before.
+    /// The last proof failed because a shape may come to the front: the last column before.
     pub(super) border: Option<u32>,
 }
 
