@@ -115,11 +115,11 @@
 //!
 //! | profile | castle flash | castle instr/pixel | corner1 flash | corner1 instr/pixel |
 //! |---|--:|--:|--:|--:|
-//! | lto = true, codegen-units = 1 | 54100 | 1425 | 14996 | 212 |
-//! | Cargo's default release | 71420 | 1515 | 20444 | 250 |
-//! | lto = true, codegen-units = 1, opt-level = "s" | 52164 | 2495 | 16232 | 281 |
-//! | lto = true, codegen-units = 1, opt-level = "z" | 48144 | 3935 | 16496 | 462 |
-//! | Cargo's default dev (debug) | 558792 | 40391 | 514352 | 6184 |
+//! | lto = true, codegen-units = 1 | 54260 | 1415 | 14992 | 212 |
+//! | Cargo's default release | 71684 | 1504 | 20444 | 250 |
+//! | lto = true, codegen-units = 1, opt-level = "s" | 52216 | 2481 | 16232 | 281 |
+//! | lto = true, codegen-units = 1, opt-level = "z" | 48140 | 3920 | 16496 | 462 |
+//! | Cargo's default dev (debug) | 558720 | 40315 | 514280 | 6184 |
 //!
 //! Every profile draws the same picture. If flash is scarce, the quality [`Small`](quality::Small) saves
 //! more than an `opt-level`.
