@@ -67,6 +67,7 @@ impl ScreenAxis {
 }
 
 /// Returns `numerator` · `scale`, rounded down, in half pixels with `PLACES` fraction bits.
+#[inline(never)]
 fn half_pixels<const PLACES: i32>(numerator: i64, scale: Quotient) -> i32 {
     let size = numerator.unsigned_abs();
     let drop = 32_u32.saturating_sub(size.leading_zeros());

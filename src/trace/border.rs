@@ -162,21 +162,29 @@ fn planes_meet(
     [first, last]: [u32; 2],
     (paths, level): ([&[Stop]; 2], usize),
 ) -> Option<u32> {
-    let (mut slopes, mut above, mut lengths) = ([0; 2], [0; 2], [0; 2]);
-    for side in 0..2 {
-        let (end, before) = paths[side].get(..=level)?.split_last()?;
-        let from = before.last().map_or(eye, |stop| stop.place);
-        if !from.is_near() || !end.place.is_near() {
-            return None;
-        }
-        let [from, at] = [from, end.place].map(|it| it.point);
-        slopes[side] = height(planes[side], from);
-        above[side] = height(planes[1 - side], at);
-        lengths[1 - side] = unsigned(root_of_square(from.to(at).square()));
-    }
-    let factors = [slopes, above, lengths].map(coarse);
+    let [one, other] = planes;
+    let [a, b] = [
+        part(eye, paths[0].get(..=level)?, planes)?,
+        part(eye, paths[1].get(..=level)?, [other, one])?,
+    ];
+    // The length of each ray counts for the other side.
+    let factors = [[a[0], b[0]], [a[1], b[1]], [b[2], a[2]]].map(coarse);
     let [start, end] = [0, 1].map(|side| factors.iter().map(|it| it[side]).product::<u32>());
     Some((first + start * (last - first) / (start + end).max(1)).min(last - 1))
+}
+
+/// Returns the slope of a path's last ray times its length, the height of its end above the other plane, and its length, in
+/// steps. The path ends on the first of two planes. `None` if a place is far.
+#[inline(never)]
+fn part(eye: ScaledPoint, path: &[Stop], planes: [&PreparedPlane; 2]) -> Option<[u32; 3]> {
+    let (end, before) = path.split_last()?;
+    let from = before.last().map_or(eye, |stop| stop.place);
+    if !from.is_near() || !end.place.is_near() {
+        return None;
+    }
+    let ([own, other], [from, at]) = (planes, [from, end.place].map(|it| it.point));
+    let length = unsigned(root_of_square(from.to(at).square()));
+    Some([height(own, from), height(other, at), length])
 }
 
 /// Returns the height of a point above or below a plane, in steps.
@@ -188,6 +196,7 @@ fn height(plane: &PreparedPlane, at: Point) -> u32 {
 
 /// Returns two numbers in eight bits, with their largest common scale: a product of three of them and the length of a
 /// block fits 32 bits.
+#[inline(never)]
 fn coarse(numbers: [u32; 2]) -> [u32; 2] {
     let drop = 24_u32.saturating_sub((numbers[0] | numbers[1]).leading_zeros());
     numbers.map(|number| number >> drop)
