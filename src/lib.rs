@@ -115,11 +115,11 @@
 //!
 //! | profile | castle flash | castle instr/pixel | corner1 flash | corner1 instr/pixel |
 //! |---|--:|--:|--:|--:|
-//! | lto = true, codegen-units = 1 | 54260 | 1415 | 14992 | 212 |
-//! | Cargo's default release | 71684 | 1504 | 20444 | 250 |
-//! | lto = true, codegen-units = 1, opt-level = "s" | 52216 | 2481 | 16232 | 281 |
-//! | lto = true, codegen-units = 1, opt-level = "z" | 48140 | 3920 | 16496 | 462 |
-//! | Cargo's default dev (debug) | 558720 | 40315 | 514280 | 6184 |
+//! | lto = true, codegen-units = 1 | 52768 | 1431 | 14808 | 214 |
+//! | Cargo's default release | 70260 | 1511 | 19992 | 250 |
+//! | lto = true, codegen-units = 1, opt-level = "s" | 52104 | 2489 | 16264 | 282 |
+//! | lto = true, codegen-units = 1, opt-level = "z" | 48144 | 3925 | 16536 | 463 |
+//! | Cargo's default dev (debug) | 558712 | 40315 | 514272 | 6181 |
 //!
 //! Every profile draws the same picture. If flash is scarce, the quality [`Small`](quality::Small) saves
 //! more than an `opt-level`.

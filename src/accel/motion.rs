@@ -74,12 +74,12 @@ use crate::vector::Position;
 ///
 /// | core | scene | move | preparation | flash |
 /// |---|---|--:|--:|--:|
-/// | m0 | castle | 3689 | 374630 | 108.8 % |
-/// | m0 | mirror1 | 2879 | 57434 | 107.6 % |
-/// | m0 | primitives | 2699 | 22424 | 109.7 % |
-/// | m3 | castle | 2240 | 89358 | 110.3 % |
-/// | m3 | mirror1 | 1660 | 14045 | 111.7 % |
-/// | m3 | primitives | 1547 | 5838 | 112.7 % |
+/// | m0 | castle | 3689 | 374440 | 109.0 % |
+/// | m0 | mirror1 | 2879 | 57398 | 107.8 % |
+/// | m0 | primitives | 2699 | 22416 | 109.8 % |
+/// | m3 | castle | 2240 | 90320 | 110.8 % |
+/// | m3 | mirror1 | 1660 | 14225 | 112.2 % |
+/// | m3 | primitives | 1547 | 5902 | 113.2 % |
 pub struct MovingScene<T: StaticScene>(Scene<T::Room>);
 
 impl<T: StaticScene> Clone for MovingScene<T> {
