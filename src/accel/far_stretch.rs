@@ -30,7 +30,7 @@ struct Strip<'a> {
 }
 
 impl<'a> Strip<'a> {
-    /// Returns the strip from a stretch. `towards` are the directions from its ends to the light.
+    /// Returns the rays from a stretch to a far light. `towards` holds the directions from its two ends to the light.
     fn new(stretch: &'a LitStretch, towards: [Direction; 2]) -> Self {
         let [first, last] = stretch.ends;
         let (way, scale) = first.to(last);
@@ -89,8 +89,8 @@ impl<'a> Strip<'a> {
             })
     }
 
-    /// Tests whether surely no ray passes through both open ends of a shape. As the light sees it, they lie twice the half
-    /// axis apart.
+    /// Tests whether surely no ray of the light passes through both open ends of a cylinder. The light sees them next to each
+    /// other, if half of the axis looks longer to it than the radius.
     ///
     /// Between two directions up to 20 degrees apart, the part of the half axis along a ray is at most 1.016 times as long
     /// as along those two. So the square of its part aside is less by a thirty-second of the whole at most.

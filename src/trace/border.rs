@@ -15,8 +15,8 @@ use crate::shade::highlight::sealed::Shading;
 use crate::shape::plane::PreparedPlane;
 use crate::vector::{Direction, Point};
 
-/// Number of columns of the shortest stretch in which the border of a shadow is looked for. In shorter ones, the parts are
-/// so short that little is proved of them.
+/// Number of columns of the shortest stretch in which the border of a shadow is looked for. In a shorter one it is not
+/// worth the time, because little could be proved of the two parts.
 const WORTHWHILE: u32 = 16;
 
 impl<W: World, K: Shading, Q: PathQuality> Tracer<'_, W, K, Q> {
@@ -71,7 +71,7 @@ impl<W: World, K: Shading, Q: PathQuality> Tracer<'_, W, K, Q> {
     ) -> Option<u32> {
         let world = self.world;
         let [one, other] = [paths[0].get(level)?, paths[1].get(level)?];
-        // In a scene with checkers, the first bit is that of the cell.
+        // In a scene with checkers, the first bit says which cell is shown. The lights follow it.
         let shift = u32::from(W::NEEDS.checkers);
         let [lights, others] = [one, other].map(|stop| stop.lights.rotate_right(shift));
         let index = (lights ^ others).trailing_zeros() as usize;
@@ -173,8 +173,8 @@ fn planes_meet(
     Some((first + start * (last - first) / (start + end).max(1)).min(last - 1))
 }
 
-/// Returns the slope of a path's last ray times its length, the height of its end above the other plane, and its length, in
-/// steps. The path ends on the first of two planes. `None` if a place is far.
+/// Returns three lengths in steps for a path that ends on the first of two planes: how high its last ray starts above that
+/// plane, how high the ray ends above the other plane, and how long the ray is. `None` if a place is far.
 #[inline(never)]
 fn part(eye: ScaledPoint, path: &[Stop], planes: [&PreparedPlane; 2]) -> Option<[u32; 3]> {
     let (end, before) = path.split_last()?;

@@ -34,7 +34,7 @@ pub(crate) struct Progress {
     steps: usize,
     /// Number of pixels that show how the colours of the proved hits change.
     pub(crate) samples: Samples,
-    /// The last proof failed because a shape may come to the front: the last column before.
+    /// The last column before a shape that may come to the front, if the last proof failed because of it.
     pub(super) border: Option<u32>,
 }
 
