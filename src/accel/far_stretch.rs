@@ -70,8 +70,8 @@ impl<'a> Strip<'a> {
         }
         let axis = ends[1].minus(ends[0]).normalised();
         let points = [Vector::ZERO, own.0.scaled(own.1.to_bits())];
-        are_beside(ahead, (Vector::ZERO, own), (ends, reach))
-            || are_beside(ahead, (ends[0], axis), (points, reach))
+        are_off(ahead, (Vector::ZERO, own), (ends, reach))
+            || are_off(ahead, (ends[0], axis), (points, reach))
     }
 
     /// Tests whether a shape surely hides all points of a straight stretch. A convex body that blocks two rays to a light
@@ -112,7 +112,7 @@ const ALIKE: Unit = Unit::from_bits(1_009_000_000);
 /// Tests whether two points surely lie further than `reach` from a segment, as a light sees all of them: on one side of it,
 /// or beyond one of its ends. `ahead` leads to the light; the segment is given by its start, its direction and its length.
 #[inline(never)]
-fn are_beside(
+fn are_off(
     ahead: Direction,
     (start, (along, length)): (Vector, (Direction, Length)),
     (points, reach): ([Vector; 2], i32),

@@ -71,14 +71,15 @@ impl<'a> Surface<'a> {
         })
     }
 
-    /// Returns a plane, seen at right angles from one side: from behind if `is_inside`. Its place is not set.
+    /// Returns a plane, seen at right angles from one side: from behind if `is_inside`. Rays leave at `place`.
     pub(crate) fn flat(
         parts: &Parts<'a>,
         (plane, shape, is_inside): (&PreparedPlane, ShapeId, bool),
+        place: ScaledPoint,
     ) -> Self {
         let normal = plane.normal.reversed_if(is_inside);
         Self {
-            place: ScaledPoint::ORIGIN,
+            place,
             normal,
             view: normal.reversed(),
             facing: Unit::ONE,

@@ -60,13 +60,15 @@ pub(crate) mod sealed {
             visibility: &V,
         ) -> Lit;
 
-        /// Tests whether a light shines on a surface.
+        /// Tests whether a light shines on a surface. Defaults to `false`: a view of normals has no lights.
         fn shines<W: SceneAccess, Q: LightQuality, V: Visibility>(
-            world: &W,
-            surface: &Surface<'_>,
-            visibility: &V,
-            light: (&V::Light, usize),
-        ) -> bool;
+            _world: &W,
+            _surface: &Surface<'_>,
+            _visibility: &V,
+            _light: (&V::Light, usize),
+        ) -> bool {
+            false
+        }
 
         /// Returns how many pixels show how the highlight of a light changes between two points of a surface.
         fn samples(ends: &[Glance; 2], bend: i32, shininess: Exponent) -> Samples;
@@ -168,15 +170,6 @@ impl sealed::Shading for Normals {
             color: Color::new(surface.normal.components().map(halved)).in_levels(),
             lights: 0,
         }
-    }
-
-    fn shines<W: SceneAccess, Q: LightQuality, V: Visibility>(
-        _: &W,
-        _: &Surface<'_>,
-        _: &V,
-        _: (&V::Light, usize),
-    ) -> bool {
-        false
     }
 
     fn samples(_: &[Glance; 2], _: i32, _: Exponent) -> Samples {

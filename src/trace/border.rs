@@ -77,13 +77,13 @@ impl<W: World, K: Shading, Q: PathQuality> Tracer<'_, W, K, Q> {
         let index = (lights ^ others).trailing_zeros() as usize;
         let light = world.tables().light_occluders.get(index)?;
         let line = PlaneLine::new(self.culling.ahead()?, columns, (paths, level))?;
-        let mut surface = Surface::flat(&world.parts(), (plane, one.shape, one.is_inside));
+        let (parts, plane) = (world.parts(), (plane, one.shape, one.is_inside));
         let visibility = Culled::<W, Q>::new(world, self.visibility);
         let is_lit = lights & bit_modulo_32(index) != 0;
         let [mut before, mut after] = columns;
         while after - before > 1 {
             let column = before.midpoint(after);
-            surface.place = line.at(column);
+            let surface = Surface::flat(&parts, plane, line.at(column));
             match K::shines::<W, Q, _>(world, &surface, &visibility, (light, index)) == is_lit {
                 true => before = column,
                 false => after = column,
@@ -164,8 +164,8 @@ fn planes_meet(
 ) -> Option<u32> {
     let [one, other] = planes;
     let [a, b] = [
-        part(eye, paths[0].get(..=level)?, planes)?,
-        part(eye, paths[1].get(..=level)?, [other, one])?,
+        last_ray(eye, paths[0].get(..=level)?, planes)?,
+        last_ray(eye, paths[1].get(..=level)?, [other, one])?,
     ];
     // The length of each ray counts for the other side.
     let factors = [[a[0], b[0]], [a[1], b[1]], [b[2], a[2]]].map(coarse);
@@ -176,7 +176,7 @@ fn planes_meet(
 /// Returns three lengths in steps for a path that ends on the first of two planes: how high its last ray starts above that
 /// plane, how high the ray ends above the other plane, and how long the ray is. `None` if a place is far.
 #[inline(never)]
-fn part(eye: ScaledPoint, path: &[Stop], planes: [&PreparedPlane; 2]) -> Option<[u32; 3]> {
+fn last_ray(eye: ScaledPoint, path: &[Stop], planes: [&PreparedPlane; 2]) -> Option<[u32; 3]> {
     let (end, before) = path.split_last()?;
     let from = before.last().map_or(eye, |stop| stop.place);
     if !from.is_near() || !end.place.is_near() {
