@@ -84,10 +84,10 @@ impl ScreenAxis {
         ));
         let spread = radius * i64::from(tangent);
         let scale = self.columns_for_each(ahead * ahead - radius * radius);
-        let middle = ahead * aside;
+        let [first, last] = self.sixteenths(ahead * aside, spread, scale);
         Columns {
-            first: self.column(middle - spread, scale) - 1,
-            last: self.column(middle + spread, scale) + 2,
+            first: (first >> 4) - 1,
+            last: (last >> 4) + 2,
         }
     }
 

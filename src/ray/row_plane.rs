@@ -129,7 +129,7 @@ impl RowPlane {
         let tangent = 2 + (aside.abs() >> (63 - signed(ahead.unsigned_abs().leading_zeros())));
         let off = (off + (off >> 2)) * tangent;
         let scale = self.axis.columns_for_each(ahead);
-        let [low, high] = [aside - off, aside + off].map(|it| self.axis.sixteenths(it, scale));
+        let [low, high] = self.axis.sixteenths(aside, off, scale);
         let last = 16 * signed(self.axis.width);
         match (high < -16, low > 2 * last) {
             (true, _) => Seen::Left,
@@ -165,9 +165,10 @@ impl RowPlane {
         let scale = self.axis.columns_for_each(rest);
         // Both roots are rounded by up to one step.
         let off = 2 * (i64::from(circle) + i64::from(tangent));
-        let is_narrow = self.axis.sixteenths(off, scale) - self.axis.sixteenths(0, scale) <= 2;
-        let ends = [middle - spread - off, middle + spread + off];
-        let ends = ends.map(|numerator| self.axis.sixteenths(numerator, scale));
+        let [first, last] = [middle - spread, middle + spread]
+            .map(|numerator| self.axis.sixteenths(numerator, off, scale));
+        let is_narrow = first[1] - first[0] <= 6;
+        let ends = [first[0], last[1]];
         // Near the eye, a border is further off than in proportion: by 1 / (u - ρ) of its tangent.
         let [first, last] = ends.map(|end| (end - 8 * signed(self.axis.width)).abs());
         let is_far_ahead = 8 * wide(first.max(last), radius) <= wide(circle, ahead - circle);
@@ -226,7 +227,7 @@ impl RowPlane {
             let scale = self.axis.columns_for_each(ahead.into());
             // If both change by 4, the tangent aside / ahead changes by (4 + 4 aside / ahead) / ahead.
             let off = (4 + (aside.abs() >> (29 - ahead.leading_zeros()))) << bits;
-            [aside - off, aside + off].map(|aside| self.axis.sixteenths(aside.into(), scale))
+            self.axis.sixteenths(aside.into(), off.into(), scale)
         })
     }
 

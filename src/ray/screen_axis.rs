@@ -1,6 +1,8 @@
 //! The columns of a picture as points on a line: where a ray in a given direction crosses it.
 
-use crate::number::{Quotient, divide, narrowed_unsigned, signed, unsigned_wide, wide};
+use crate::number::{
+    Quotient, divide, high_unsigned, narrowed_unsigned, signed, unsigned, unsigned_wide, wide,
+};
 use crate::vector::{Direction, Point};
 
 /// Rays through the centres of a picture's columns, projected along the columns: all start at one near
@@ -34,22 +36,31 @@ impl ScreenAxis {
         }
     }
 
-    /// Returns the column of a ray whose tangent is `numerator` over the denominator that made `scale`.
-    /// Rounds down. Columns further than 2¹⁹ from the picture's middle are clamped.
-    pub(crate) fn column(&self, numerator: i64, scale: Quotient) -> i32 {
-        (half_pixels::<0>(numerator, scale) + signed(self.width) - 1) >> 1
-    }
-
-    /// As [`ScreenAxis::column`], in sixteenths of a column.
-    pub(crate) fn sixteenths(&self, numerator: i64, scale: Quotient) -> i32 {
-        half_pixels::<3>(numerator, scale) + 8 * (signed(self.width) - 1)
+    /// Returns the columns, in sixteenths, between which rays have tangents of `numerator` ± `off` over the
+    /// denominator that made `scale`: from the first to one more than the last. `off` is at least 0.
+    /// Columns further than 2¹⁹ from the picture's middle are clamped.
+    #[inline(never)]
+    pub(crate) fn sixteenths(&self, numerator: i64, off: i64, scale: Quotient) -> [i32; 2] {
+        let (size, off) = (numerator.unsigned_abs(), off.unsigned_abs());
+        let zeros = (size | off | 1).leading_zeros();
+        let down = signed(zeros) - 67 - scale.exponent;
+        let sixteenths = |size: u64| {
+            let leading = narrowed_unsigned(size << zeros >> 32);
+            limited(high_unsigned(leading, scale.mantissa), down)
+        };
+        // The spread has twice the limit of the middle: what it reaches must not move into the picture.
+        let middle = sixteenths(size).min(FURTHEST);
+        let middle = if numerator < 0 { !middle } else { middle };
+        let spread = sixteenths(off) + 1;
+        let middle = middle + 8 * (signed(self.width) - 1);
+        [middle - spread, middle + spread]
     }
 
     /// Tests whether a tangent of `numerator` / `denominator` and its negative are beside the columns that
     /// may be traced. The denominator is above 0.
     pub(crate) fn is_beside(&self, numerator: i64, denominator: i64) -> bool {
-        let beyond = self.column(numerator, self.columns_for_each(denominator));
-        beyond > signed(2 * self.width)
+        let [beyond, _] = self.sixteenths(numerator, 0, self.columns_for_each(denominator));
+        beyond > signed(32 * self.width)
     }
 
     /// Tests whether the column where a plane through the eye cuts the row is exact to an eighth of a
@@ -60,30 +71,26 @@ impl ScreenAxis {
     /// `scale` is made for q. If the plane turns by an angle, the tangent changes by at most (n / q)²
     /// times the angle.
     pub(crate) fn is_exact(&self, normal: i64, scale: Quotient, touching: i32) -> bool {
-        let each = half_pixels::<3>(1 << 30, self.columns_for_each(1 << 30));
-        let turned = half_pixels::<3>(normal, scale);
+        let zeros = normal.leading_zeros();
+        let leading = narrowed_unsigned(unsigned_wide(normal << zeros >> 32));
+        let turned = limited(
+            high_unsigned(leading, scale.mantissa),
+            signed(zeros) - 67 - scale.exponent,
+        );
+        let each = limited(unsigned(self.distance), -3 - self.scale);
         turned < 1 << 22 && 16 * wide(turned, turned) <= wide(each, touching)
     }
 }
 
-/// Returns `numerator` · `scale`, rounded down, in half pixels with `PLACES` fraction bits.
-#[inline(never)]
-fn half_pixels<const PLACES: i32>(numerator: i64, scale: Quotient) -> i32 {
-    let size = numerator.unsigned_abs();
-    let drop = 32_u32.saturating_sub(size.leading_zeros());
-    let product = (size >> drop) * u64::from(scale.mantissa);
-    // Further to the side than any picture is wide: 2²⁰ half pixels.
-    let beside = 1 << (20 + PLACES);
-    let half_pixels = signed(narrowed_unsigned(
-        match scale.exponent + signed(drop) + PLACES {
-            0.. => beside,
-            shift @ -63..0 => (product >> -shift).min(beside),
-            _ => 0,
-        },
-    ));
-    if numerator < 0 {
-        !half_pixels
-    } else {
-        half_pixels
+/// The furthest that a column counts from the middle of a picture, in sixteenths.
+const FURTHEST: i32 = 1 << 23;
+
+/// Returns `mantissa` / 2^`down`, rounded down, but at most twice [`FURTHEST`].
+#[inline(always)]
+fn limited(mantissa: u32, down: i32) -> i32 {
+    match down {
+        ..0 => 2 * FURTHEST,
+        0..32 => signed((mantissa >> down).min(2 * unsigned(FURTHEST))),
+        _ => 0,
     }
 }

@@ -129,3 +129,50 @@ fn trails_of_different_lengths_differ() {
         }
     }
 }
+
+#[test]
+fn tangents_lie_between_their_columns() {
+    let mut sweep = Sweep::new(9);
+    let mut known = 0;
+    for _ in 0..100_000 {
+        let axis = ScreenAxis {
+            origin: Point::new(0, 0, 0),
+            ahead: Direction::X,
+            aside: Direction::X,
+            distance: sweep.within(1 << 29, 1 << 30),
+            scale: -sweep.within(17, 24),
+            width: 1,
+        };
+        let wide = |sweep: &mut Sweep| {
+            let bits = sweep.within(0, 58);
+            (i64::from(sweep.within(-1 << 30, 1 << 30)) << 30) >> bits
+        };
+        let (numerator, off) = (wide(&mut sweep), wide(&mut sweep).abs() >> 10);
+        let denominator = wide(&mut sweep).abs() + 1;
+        let [first, last] = axis.sixteenths(numerator, off, axis.columns_for_each(denominator));
+        let each =
+            8.0 * f64::from(axis.distance) * f64::from(axis.scale).exp2() / denominator as f64;
+        let [low, high] = [numerator - off, numerator + off].map(|it| it as f64 * each);
+        // The factor is known to 26 bits.
+        let (first, last) = (f64::from(first), f64::from(last));
+        let error = 2.0_f64.powi(-20);
+        let limit = f64::from(1 << 23);
+        assert!(
+            first <= low.max(-limit) + error || low > limit,
+            "{first} {low}"
+        );
+        assert!(
+            last + 1.0 >= high.min(limit) - error || high < -limit,
+            "{last} {high}"
+        );
+        if low > -limit && high < limit && (off as f64) * each < 1000.0 {
+            known += 1;
+            let wider = 3.0 + error + 2.0_f64.powi(-24) * low.abs();
+            assert!(
+                low - first <= wider && last - high <= wider,
+                "{low}-{high}: {first}-{last}"
+            );
+        }
+    }
+    assert!(known > 10_000, "{known}");
+}

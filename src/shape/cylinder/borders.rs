@@ -204,12 +204,10 @@ impl PreparedCylinder {
             }
             let tangent = 2 + (ahead.abs() >> (63 - signed(aside.unsigned_abs().leading_zeros())));
             let scale = row.axis.columns_for_each(aside.abs());
-            let ends = [-1, 1].map(|sign| {
-                let numerator = if aside > 0 { -ahead } else { ahead };
-                row.axis.sixteenths(numerator + sign * off * tangent, scale)
-            });
+            let numerator = if aside > 0 { -ahead } else { ahead };
+            let ends = row.axis.sixteenths(numerator, off * tangent, scale);
             is_sure &= row.axis.is_exact(signed_wide(rest), scale, touching);
-            is_sure &= ends[1] - ends[0] <= 4;
+            is_sure &= ends[1] - ends[0] <= 6;
             match aside > 0 {
                 true => first = first.max(ends[0]),
                 false => last = last.min(ends[1]),
