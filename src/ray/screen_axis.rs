@@ -72,7 +72,7 @@ impl ScreenAxis {
     /// times the angle.
     pub(crate) fn is_exact(&self, normal: i64, scale: Quotient, touching: i32) -> bool {
         let zeros = normal.leading_zeros();
-        let leading = narrowed_unsigned(unsigned_wide(normal << zeros >> 32));
+        let leading = narrowed_unsigned(unsigned_wide(normal) << zeros >> 32);
         let turned = limited(
             high_unsigned(leading, scale.mantissa),
             signed(zeros) - 67 - scale.exponent,
