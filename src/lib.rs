@@ -115,11 +115,11 @@
 //!
 //! | profile | castle flash | castle instr/pixel | corner1 flash | corner1 instr/pixel |
 //! |---|--:|--:|--:|--:|
-//! | lto = true, codegen-units = 1 | 52768 | 1431 | 14808 | 214 |
-//! | Cargo's default release | 70260 | 1511 | 19992 | 250 |
-//! | lto = true, codegen-units = 1, opt-level = "s" | 52104 | 2489 | 16264 | 282 |
-//! | lto = true, codegen-units = 1, opt-level = "z" | 48144 | 3925 | 16536 | 463 |
-//! | Cargo's default dev (debug) | 558712 | 40315 | 514272 | 6181 |
+//! | lto = true, codegen-units = 1 | 52428 | 1403 | 14812 | 214 |
+//! | Cargo's default release | 70376 | 1488 | 19992 | 250 |
+//! | lto = true, codegen-units = 1, opt-level = "s" | 51916 | 2454 | 16264 | 282 |
+//! | lto = true, codegen-units = 1, opt-level = "z" | 48068 | 3896 | 16536 | 463 |
+//! | Cargo's default dev (debug) | 556708 | 40160 | 512268 | 6181 |
 //!
 //! Every profile draws the same picture. If flash is scarce, the quality [`Small`](quality::Small) saves
 //! more than an `opt-level`.
