@@ -80,9 +80,7 @@ pub(super) fn shown<'a, W: World>(
         if is_curved {
             let (angle, least, change) = turn_in_plane(normals, row)?;
             (shown.circle, shown.turn) = (least, change);
-            // The curve lies in the triangle of its chord and its tangents. With the angle τ between
-            // them its height is at most half the chord times tan(τ / 2).
-            shown.lit.bulge = scaled_by_unit(ball.1 + (ball.1 >> 2), angle) / 2 + 1;
+            shown.lit.bulge = bulge(ball.1, angle);
         }
     }
     Some(shown)
@@ -271,6 +269,16 @@ fn turn_in_plane([one, other]: [Direction; 2], plane: Direction) -> Option<(Unit
             .map(Unit::from_bits)
             .into()
     })
+}
+
+/// Returns an upper bound of the distance of a curve from its chord. It turns by an angle τ, given as [`turn_in_plane`]
+/// returns it. `half` is half of the chord.
+///
+/// The curve lies in the triangle of its chord and its tangents, whose height is at most half the chord times tan(τ / 2).
+/// A plane cuts spheres and cylinders in ellipses, and an ellipse has at most half of that height. Up to 60 degrees,
+/// tan(τ / 2) / 2 is at most 5/16 of 2 sin(τ / 2).
+fn bulge(half: i32, angle: Unit) -> i32 {
+    scaled_by_unit(half + (half >> 2), angle) / 4 + 1
 }
 
 /// Returns the ball over the distance between two points, enlarged by `more`.

@@ -13,6 +13,42 @@ fn opposite_normals_turn_too_much() {
     assert!(turn_in_plane(opposite(), across).is_none());
 }
 
+/// Arcs of ellipses, against their chords.
+#[test]
+fn ellipse_is_no_further_from_its_chord_than_its_bulge() {
+    let mut sweep = crate::number::sweep::Sweep::new(63);
+    let (mut arcs, mut closest) = (0, f64::INFINITY);
+    for _ in 0..40_000 {
+        let [flat, start, length] = sweep.triple(1 << 20).map(|it| f64::from(it) / 1048576.0);
+        let (wide, high) = (1e6, 1e6 * (0.02 + flat.abs()));
+        let [first, last] = [0.0, 1.0].map(|it| 3.2 * start + it * 2.5 * length);
+        let point = |angle: f64| (wide * angle.cos(), high * angle.sin());
+        let normal = |angle: f64| (high * angle.cos()).atan2(wide * angle.sin());
+        let turn = (normal(last) - normal(first)).abs();
+        let turn = turn.min(core::f64::consts::TAU - turn);
+        if turn > core::f64::consts::FRAC_PI_3 {
+            continue;
+        }
+        let ((x, y), (right, top)) = (point(first), point(last));
+        let chord = (right - x).hypot(top - y);
+        let angle = 2.0 * (turn / 2.0).sin() * f64::from(1 << 30);
+        let bound = f64::from(bulge(
+            (chord / 2.0) as i32 + 1,
+            Unit::from_bits(angle as i32),
+        ));
+        for part in 1..16 {
+            let (across, up) = point(first + (last - first) * f64::from(part) / 16.0);
+            let off = ((right - x) * (up - y) - (top - y) * (across - x)).abs() / chord.max(1.0);
+            assert!(off <= bound, "{flat} {first} {last}: {off}, {bound}");
+            if off > 1e4 {
+                closest = closest.min(bound / off);
+            }
+        }
+        arcs += 1;
+    }
+    assert!(arcs > 5000 && closest < 1.2, "{arcs} {closest}");
+}
+
 /// Heights of lights above circles, against their straight lines.
 #[test]
 fn height_of_a_light_bends_no_more_than_its_bound() {
