@@ -2,7 +2,7 @@
 
 use super::Camera;
 use crate::number::{
-    Quotient, shifted, signed, signed_wide, square_root, stepped, unsigned_wide, wide,
+    Quotient, shifted, signed, signed_wide, square_root, stepped, unsigned, unsigned_wide, wide,
 };
 use crate::ray::{RowPlane, ScreenAxis};
 use crate::vector::{Direction, Point, Vector};
@@ -130,6 +130,8 @@ impl RayGenerator {
                 width: self.width,
             },
             normal: self.right.crossed(ahead),
+            // The vector to a pixel is at least 2^(27 - `up`) long, and off the plane by less than 2.
+            places: unsigned((26 - up).max(0)),
         }
     }
 

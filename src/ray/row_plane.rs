@@ -18,6 +18,8 @@ pub struct RowPlane {
     pub(crate) axis: ScreenAxis,
     /// Normal of the plane.
     pub(crate) normal: Direction,
+    /// A ray is off the plane by up to 2^-`places` of its length.
+    pub(crate) places: u32,
 }
 
 /// What a radius is enlarged by, in steps: more than the error of a distance from the row's plane, and
@@ -108,6 +110,13 @@ impl RowPlane {
         [way.dot(self.axis.ahead), way.dot(self.axis.aside)]
     }
 
+    /// Returns an upper bound of how far a ray is off the plane where it has gone `ahead` steps. It is above [`SLACK`] only
+    /// far away in a view of almost 180 degrees.
+    #[inline(always)]
+    pub(crate) fn off(&self, ahead: i32) -> i32 {
+        ahead >> self.places
+    }
+
     /// Returns where the row shows the direction of a vector, given by its parts ahead and aside in any
     /// unit. Each part is known to `off`.
     ///
@@ -145,13 +154,15 @@ impl RowPlane {
     /// are at (u v ± ρ √(u² + v² - ρ²)) / (u² - ρ²).
     pub(crate) fn ball(&self, way: Vector, radius: i32) -> Option<Span<[u16; 0]>> {
         let apart = way.dot(self.normal).abs();
+        let (ahead, aside) = (way.dot(self.axis.ahead), way.dot(self.axis.aside));
         let radius = radius + SLACK;
-        if apart >= radius {
-            return None;
+        let off = self.off(ahead + radius);
+        if off > SLACK || apart >= radius {
+            let may_hit = off > SLACK && apart < radius + off;
+            return may_hit.then(|| Span::unsure([0, u16::MAX], []));
         }
         let square = wide(radius - apart, radius + apart);
         let circle = root_of_square(unsigned_wide(square));
-        let (ahead, aside) = (way.dot(self.axis.ahead), way.dot(self.axis.aside));
         if ahead - circle < (ahead >> 10) + 64 * SLACK {
             // The circle holds the eye or reaches beside it.
             return match ahead + circle < -SLACK {
@@ -182,10 +193,11 @@ impl RowPlane {
         let apart = way.dot(self.normal);
         let sine = root_of_square(across.square()).min(Unit::ONE.to_bits());
         let reach = scaled_by_unit(radius + SLACK, Unit::from_bits(sine));
-        if apart.abs() > reach + SLACK {
+        let off = self.off(way.dot(self.axis.ahead) + radius);
+        if apart.abs() > reach + off.max(SLACK) {
             return Chord::None;
         }
-        if sine < Unit::ONE.to_bits() >> 4 {
+        if off > SLACK || sine < Unit::ONE.to_bits() >> 4 {
             return Chord::Unknown;
         }
         // The chord is off by what `apart` is off by, over the sine, which is at least 2^-bits.
@@ -241,6 +253,7 @@ impl RowPlane {
                 ..self.axis
             },
             normal: turned(self.normal),
+            places: self.places,
         }
     }
 }

@@ -24,6 +24,7 @@ pub(crate) struct ScreenAxis {
 impl ScreenAxis {
     /// Returns the factor from a numerator over `denominator` to half pixels: `distance` · 2^`scale` /
     /// `denominator`.
+    #[inline(never)]
     pub(crate) fn columns_for_each(&self, denominator: i64) -> Quotient {
         let drop = 33_u32.saturating_sub(denominator.leading_zeros());
         let Quotient { mantissa, exponent } = divide(

@@ -19,8 +19,11 @@ impl Bordered for PreparedCylinder {
         row: &RowPlane,
         [left, right]: [u16; 2],
     ) -> Option<Span<[u16; 4]>> {
+        let rims = self.rims(from, row)?;
+        if row.off(from.way.dot(row.axis.ahead) + self.reach) > SLACK {
+            return Some(Span::unsure([left, right], rims));
+        }
         let (borders, is_wall_sure) = self.wall(from, row)?;
-        let rims = self.rims(from, row);
         let screen = [i32::from(left) << 4, i32::from(right) << 4];
         let ends = [screen[0].max(borders[0]), screen[1].min(borders[1])];
         Span::new(ends, is_wall_sure, rims)
@@ -216,13 +219,17 @@ impl PreparedCylinder {
         Some(([first, last], is_sure))
     }
 
-    /// Returns where the rims of both ends begin and end.
-    fn rims(&self, from: &CylinderFromPoint, row: &RowPlane) -> [u16; 4] {
+    /// Returns where the rims of both ends begin and end. `None` if the row passes the cylinder: both ends lie on one side
+    /// of it.
+    fn rims(&self, from: &CylinderFromPoint, row: &RowPlane) -> Option<[u16; 4]> {
         let (_, half_axis, radius) = self.capsule();
         let mut rims = [NO_COLUMN; 4];
         let ends = [from.way.plus(half_axis), from.way.minus(half_axis)];
+        let mut is_met = from.way.dot(row.normal).abs() <= half_axis.dot(row.normal).abs();
         for (rims, way) in rims.chunks_exact_mut(2).zip(ends) {
-            match row.chord(way, self.axis, radius) {
+            let chord = row.chord(way, self.axis, radius);
+            is_met |= !matches!(chord, Chord::None);
+            match chord {
                 Chord::None => {}
                 Chord::Ends(ends, true) => {
                     // What lies to the left of the picture changes none of its columns.
@@ -233,7 +240,7 @@ impl PreparedCylinder {
                 Chord::Unknown | Chord::Ends(_, false) => rims.fill(ANY_COLUMN),
             }
         }
-        rims
+        is_met.then_some(rims)
     }
 }
 
