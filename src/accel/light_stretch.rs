@@ -6,13 +6,13 @@
 use super::light_occluders::LightOccluders;
 use super::light_table::rays_set;
 use super::{CullingQuality, World};
-use crate::number::Length;
+use crate::number::{Length, Unit, ratio, scaled_by_unit, unsigned};
 use crate::ray::ScaledPoint;
 use crate::scene::access::ShapeId;
 use crate::scene::shape_set::ShapeSet;
 use crate::shape::bordered::{Ball, Bordered, Fan};
 use crate::shape::bounded::{Bounded, LightRay, Own};
-use crate::shape::rays::{Beam, Rays};
+use crate::shape::rays::{Beam, Rays, SLACK};
 use crate::vector::Point;
 
 /// The points of a surface that a stretch shows.
@@ -80,13 +80,37 @@ impl<'a> Sight<'a> {
         self.beam.is_some_and(|beam| beam.avoids_ball(way, radius))
     }
 
-    /// Returns the fan of the rays.
+    /// Returns the fan of the rays, as thick as it is where a ray may meet a ball.
     #[inline(never)]
-    fn fan(&mut self) -> Option<&Fan> {
+    fn fan(&mut self, ball: Ball) -> Option<&Fan> {
         if self.fan.is_none() {
             self.fan = Fan::new(self.rays, self.bulge);
         }
+        if self.bulge > SLACK {
+            let thickness = self.thickness(ball);
+            self.fan.as_mut()?.thickness = thickness;
+        }
         self.fan.as_ref()
+    }
+
+    /// Returns an upper bound of the distance from the fan's triangle of points of the rays that lie in a ball.
+    ///
+    /// A point at the share f of a ray is off by at most f times the bulge. Between rays up to 20 degrees apart, f is at most
+    /// 1.14 times the point's distance along the first ray over the length of the shorter one.
+    #[inline(always)]
+    fn thickness(&self, (center, radius): Ball) -> i32 {
+        let Rays { ends, reaches, .. } = self.rays;
+        let along = self.rays.apex.point.to(center).dot(ends[0]) + radius + self.bulge;
+        let along = (along + (along >> 2)).max(0);
+        let nearest = reaches[0].min(reaches[1]).to_bits();
+        let bulge = match self.beam.is_some() && along < nearest {
+            true => {
+                let share = Unit::from_bits(ratio(unsigned(along), unsigned(nearest)));
+                scaled_by_unit(self.bulge, share) + 1
+            }
+            false => self.bulge,
+        };
+        bulge + SLACK
     }
 }
 
@@ -126,7 +150,7 @@ impl Found<'_> {
         is_own: bool,
     ) -> bool {
         let (rays, epsilon) = (self.sight.rays, self.epsilon);
-        let hides = match self.sight.fan() {
+        let hides = match self.sight.fan(shape.bounding_ball()) {
             Some(fan) if shape.spares(from, fan) => return false,
             Some(fan) => {
                 !is_own && hides_ends(shape, from, (rays, epsilon)) && shape.hides(from, fan)
@@ -174,7 +198,7 @@ macro_rules! any_hides {
                     let (center, radius) = shape.bounding_ball();
                     stretch.shape == ShapeId::at(first + index)
                         || sight.misses((center, radius))
-                        || sight.fan().is_some_and(|fan| {
+                        || sight.fan((center, radius)).is_some_and(|fan| {
                             fan.avoids_ball(eye.to(center), radius)
                                 || shape.spares(&shape.seen_from_light(eye), fan)
                         })
@@ -215,3 +239,6 @@ macro_rules! any_hides {
     };
 }
 kinds!(any_hides);
+
+#[cfg(test)]
+mod tests;
