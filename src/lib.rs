@@ -115,11 +115,11 @@
 //!
 //! | profile | castle flash | castle instr/pixel | corner1 flash | corner1 instr/pixel |
 //! |---|--:|--:|--:|--:|
-//! | lto = true, codegen-units = 1 | 52428 | 1403 | 14812 | 214 |
-//! | Cargo's default release | 70376 | 1488 | 19992 | 250 |
-//! | lto = true, codegen-units = 1, opt-level = "s" | 51916 | 2454 | 16264 | 282 |
-//! | lto = true, codegen-units = 1, opt-level = "z" | 48068 | 3896 | 16536 | 463 |
-//! | Cargo's default dev (debug) | 556708 | 40160 | 512268 | 6181 |
+//! | lto = true, codegen-units = 1 | 52680 | 1365 | 14832 | 214 |
+//! | Cargo's default release | 70232 | 1446 | 20020 | 250 |
+//! | lto = true, codegen-units = 1, opt-level = "s" | 51936 | 2390 | 16280 | 282 |
+//! | lto = true, codegen-units = 1, opt-level = "z" | 48484 | 3803 | 16532 | 463 |
+//! | Cargo's default dev (debug) | 560152 | 39191 | 515712 | 6183 |
 //!
 //! Every profile draws the same picture. If flash is scarce, the quality [`Small`](quality::Small) saves
 //! more than an `opt-level`.

@@ -2,7 +2,7 @@
 //! shapes; `accel` makes the others.
 //!
 //! If a scene has more shapes than bits, a bit stands for a run of consecutive shapes. A set may hold
-//! more shapes than a ray can hit, never fewer. So sets change the work, not the picture.
+//! more shapes than a ray can hit, never fewer. So sets change the work, not what a ray shows.
 
 use super::access::KINDS;
 use crate::number::{low_word, to_u32};

@@ -46,7 +46,7 @@ impl Point {
 const GAIN: f64 = 0.25;
 
 /// Finds the front and sets `is_on_front`: in the order of the cost, each point that is better than all
-/// before by the gain.
+/// before by the gain. Of points that cost the same in whole instructions, the best.
 pub fn mark_front(points: &mut [Point]) {
     let mut order: Vec<usize> = (0..points.len()).collect();
     order.sort_by(|&a, &b| {
@@ -57,14 +57,12 @@ pub fn mark_front(points: &mut [Point]) {
     let mut last: Option<usize> = None;
     for index in order {
         let point = &points[index];
-        let is_more = last.map(|last| &points[last]).is_none_or(|last| {
-            point.hundredths() > last.hundredths()
-                && point.drawing() > last.drawing()
-                && point.psnr >= last.psnr + GAIN
+        let is_better = last.map(|last| &points[last]).is_none_or(|last| {
+            point.hundredths() > last.hundredths() && point.psnr >= last.psnr + GAIN
         });
-        points[index].is_on_front = is_more;
-        if is_more {
-            last = Some(index);
+        points[index].is_on_front = is_better;
+        if is_better && let Some(last) = last.replace(index) {
+            points[last].is_on_front = points[last].drawing() < points[index].drawing();
         }
     }
 }
