@@ -80,12 +80,13 @@ impl<'a> Sight<'a> {
         self.beam.is_some_and(|beam| beam.avoids_ball(way, radius))
     }
 
-    /// Returns the fan of the rays, as thick as it is where a ray may meet a ball.
+    /// Returns the fan of the rays, for a test of what lies in a ball: it is as thick as its part in the ball needs.
     #[inline(never)]
     fn fan(&mut self, ball: Ball) -> Option<&Fan> {
         if self.fan.is_none() {
             self.fan = Fan::new(self.rays, self.bulge);
         }
+        // A stretch that hardly bulges has a thin fan everywhere.
         if self.bulge > SLACK {
             let thickness = self.thickness(ball);
             self.fan.as_mut()?.thickness = thickness;
@@ -93,24 +94,22 @@ impl<'a> Sight<'a> {
         self.fan.as_ref()
     }
 
-    /// Returns an upper bound of the distance from the fan's triangle of points of the rays that lie in a ball.
+    /// Returns an upper bound of the distance between the fan's triangle and any point of a ray that lies in a ball.
     ///
-    /// A point at the share f of a ray is off by at most f times the bulge. Between rays up to 20 degrees apart, f is at most
-    /// 1.14 times the point's distance along the first ray over the length of the shorter one.
+    /// A point at the share f of its ray is off the triangle by at most f times the bulge. Between rays up to 20 degrees
+    /// apart, f is at most 1.14 times the point's distance along the first ray, over the length of the shorter one. 1.25 is
+    /// taken.
     #[inline(always)]
     fn thickness(&self, (center, radius): Ball) -> i32 {
         let Rays { ends, reaches, .. } = self.rays;
         let along = self.rays.apex.point.to(center).dot(ends[0]) + radius + self.bulge;
         let along = (along + (along >> 2)).max(0);
         let nearest = reaches[0].min(reaches[1]).to_bits();
-        let bulge = match self.beam.is_some() && along < nearest {
-            true => {
-                let share = Unit::from_bits(ratio(unsigned(along), unsigned(nearest)));
-                scaled_by_unit(self.bulge, share) + 1
-            }
-            false => self.bulge,
-        };
-        bulge + SLACK
+        if self.beam.is_none() || along >= nearest {
+            return self.bulge + SLACK;
+        }
+        let share = Unit::from_bits(ratio(unsigned(along), unsigned(nearest)));
+        scaled_by_unit(self.bulge, share) + 1 + SLACK
     }
 }
 

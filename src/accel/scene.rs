@@ -155,10 +155,10 @@ impl<R: Capacity> Scene<R> {
     /// Returns the scene with a table for each light: the shapes that lie in each direction from it.
     ///
     /// A table takes 1 KB for each light that the room allows, in the memory of the returned value.
-    /// Shadows of many shapes then take less time. Traced pixels stay the same, to the bit. With tables
-    /// [`Fast`](crate::quality::Fast) proves more, so a few pixels that it interpolates may differ by one
-    /// level. If the room holds three bounded shapes or fewer, tables are not used: each shadow ray tests
-    /// all shapes.
+    /// Shadows of many shapes then take less time. Pixels that are traced stay the same, to the bit.
+    /// [`Fast`](crate::quality::Fast) may interpolate more pixels, a few of which then differ by one level.
+    /// If the room holds three bounded shapes or fewer, tables are not used: each shadow ray tests all
+    /// shapes.
     ///
     /// ```
     /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Rgb888};

@@ -130,7 +130,8 @@ impl RayGenerator {
                 width: self.width,
             },
             normal: self.right.crossed(ahead),
-            // The vector to a pixel is at least 2^(27 - `up`) long, and off the plane by less than 2.
+            // The vector to the row's middle is at least 2^(27 - `up`) long. Rounding moves a vector to a pixel
+            // off the plane by less than 2.
             places: unsigned((26 - up).max(0)),
         }
     }

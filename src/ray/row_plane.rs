@@ -18,7 +18,7 @@ pub struct RowPlane {
     pub(crate) axis: ScreenAxis,
     /// Normal of the plane.
     pub(crate) normal: Direction,
-    /// A ray is off the plane by up to 2^-`places` of its length.
+    /// Rounding moves a point of a ray off the plane by up to 2^-`places` times its distance ahead.
     pub(crate) places: u32,
 }
 
@@ -110,11 +110,11 @@ impl RowPlane {
         [way.dot(self.axis.ahead), way.dot(self.axis.aside)]
     }
 
-    /// Returns an upper bound of how far a ray is off the plane where it has gone `ahead` steps. It is above [`SLACK`] only
-    /// far away in a view of almost 180 degrees.
+    /// Tests whether rays stay within [`SLACK`] of the plane until they are `ahead` steps ahead of the eye. They do, unless the
+    /// view is of almost 180 degrees: nothing is known then of what a row shows so far away.
     #[inline(always)]
-    pub(crate) fn off(&self, ahead: i32) -> i32 {
-        ahead >> self.places
+    pub(crate) fn holds_rays(&self, ahead: i32) -> bool {
+        ahead >> self.places <= SLACK
     }
 
     /// Returns where the row shows the direction of a vector, given by its parts ahead and aside in any
@@ -156,10 +156,11 @@ impl RowPlane {
         let apart = way.dot(self.normal).abs();
         let (ahead, aside) = (way.dot(self.axis.ahead), way.dot(self.axis.aside));
         let radius = radius + SLACK;
-        let off = self.off(ahead + radius);
-        if off > SLACK || apart >= radius {
-            let may_hit = off > SLACK && apart < radius + off;
-            return may_hit.then(|| Span::unsure([0, u16::MAX], []));
+        if !self.holds_rays(ahead + radius) {
+            return Some(Span::unsure([0, u16::MAX], []));
+        }
+        if apart >= radius {
+            return None;
         }
         let square = wide(radius - apart, radius + apart);
         let circle = root_of_square(unsigned_wide(square));
@@ -193,11 +194,13 @@ impl RowPlane {
         let apart = way.dot(self.normal);
         let sine = root_of_square(across.square()).min(Unit::ONE.to_bits());
         let reach = scaled_by_unit(radius + SLACK, Unit::from_bits(sine));
-        let off = self.off(way.dot(self.axis.ahead) + radius);
-        if apart.abs() > reach + off.max(SLACK) {
+        if !self.holds_rays(way.dot(self.axis.ahead) + radius) {
+            return Chord::Unknown;
+        }
+        if apart.abs() > reach + SLACK {
             return Chord::None;
         }
-        if off > SLACK || sine < Unit::ONE.to_bits() >> 4 {
+        if sine < Unit::ONE.to_bits() >> 4 {
             return Chord::Unknown;
         }
         // The chord is off by what `apart` is off by, over the sine, which is at least 2^-bits.

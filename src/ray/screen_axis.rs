@@ -37,22 +37,17 @@ impl ScreenAxis {
         }
     }
 
-    /// Returns the columns, in sixteenths, between which rays have tangents of `numerator` ± `off` over the
-    /// denominator that made `scale`: from the first to one more than the last. `off` is at least 0.
+    /// Returns two columns, in sixteenths: rays whose tangents are `numerator` ± `off`, over the denominator
+    /// that made `scale`, lie between the first and one sixteenth after the last. `off` is at least 0.
     /// Columns further than 2¹⁹ from the picture's middle are clamped.
     #[inline(never)]
     pub(crate) fn sixteenths(&self, numerator: i64, off: i64, scale: Quotient) -> [i32; 2] {
         let (size, off) = (numerator.unsigned_abs(), off.unsigned_abs());
         let zeros = (size | off | 1).leading_zeros();
-        let down = signed(zeros) - 67 - scale.exponent;
-        let sixteenths = |size: u64| {
-            let leading = narrowed_unsigned(size << zeros >> 32);
-            limited(high_unsigned(leading, scale.mantissa), down)
-        };
         // The spread has twice the limit of the middle: what it reaches must not move into the picture.
-        let middle = sixteenths(size).min(FURTHEST);
+        let middle = in_sixteenths(size, zeros, scale).min(FURTHEST);
         let middle = if numerator < 0 { !middle } else { middle };
-        let spread = sixteenths(off) + 1;
+        let spread = in_sixteenths(off, zeros, scale) + 1;
         let middle = middle + 8 * (signed(self.width) - 1);
         [middle - spread, middle + spread]
     }
@@ -72,13 +67,12 @@ impl ScreenAxis {
     /// `scale` is made for q. If the plane turns by an angle, the tangent changes by at most (n / q)²
     /// times the angle.
     pub(crate) fn is_exact(&self, normal: i64, scale: Quotient, touching: i32) -> bool {
-        let zeros = normal.leading_zeros();
-        let leading = narrowed_unsigned(unsigned_wide(normal) << zeros >> 32);
-        let turned = limited(
-            high_unsigned(leading, scale.mantissa),
-            signed(zeros) - 67 - scale.exponent,
-        );
-        let each = limited(unsigned(self.distance), -3 - self.scale);
+        let to_picture = Quotient {
+            mantissa: unsigned(self.distance),
+            exponent: self.scale,
+        };
+        let each = in_sixteenths(1, 63, to_picture);
+        let turned = in_sixteenths(unsigned_wide(normal), normal.leading_zeros(), scale);
         turned < 1 << 22 && 16 * wide(turned, turned) <= wide(each, touching)
     }
 }
@@ -86,12 +80,14 @@ impl ScreenAxis {
 /// The furthest that a column counts from the middle of a picture, in sixteenths.
 const FURTHEST: i32 = 1 << 23;
 
-/// Returns `mantissa` / 2^`down`, rounded down, but at most twice [`FURTHEST`].
+/// Returns `size` · `scale` half pixels in sixteenths of a column, rounded down, but at most twice [`FURTHEST`]. `size` has
+/// at least `zeros` leading zeros.
 #[inline(always)]
-fn limited(mantissa: u32, down: i32) -> i32 {
-    match down {
+fn in_sixteenths(size: u64, zeros: u32, scale: Quotient) -> i32 {
+    let product = high_unsigned(narrowed_unsigned(size << zeros >> 32), scale.mantissa);
+    match signed(zeros) - 67 - scale.exponent {
         ..0 => 2 * FURTHEST,
-        0..32 => signed((mantissa >> down).min(2 * unsigned(FURTHEST))),
+        down @ 0..32 => signed((product >> down).min(2 * unsigned(FURTHEST))),
         _ => 0,
     }
 }

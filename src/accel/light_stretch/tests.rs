@@ -7,7 +7,7 @@ fn distance([from, to]: [[f64; 3]; 2]) -> f64 {
     squares.iter().sum::<f64>().sqrt()
 }
 
-/// Points of rays to a curve that lie in a ball are no further from the triangle than the fan is thick there.
+/// No point of a ray to a curve that lies in a ball is further from the fan's triangle than the thickness for that ball.
 #[test]
 fn fan_is_as_thick_as_rays_in_a_ball_are_off() {
     let mut sweep = Sweep::new(91);
@@ -25,16 +25,13 @@ fn fan_is_as_thick_as_rays_in_a_ball_are_off() {
         let mix = |a: [f64; 3], b: [f64; 3], share: f64| {
             [0, 1, 2].map(|axis| a[axis] + share * (b[axis] - a[axis]))
         };
-        let on_chord = mix(
-            one,
-            other,
-            f64::from(sweep.within(0, 1 << 20)) / f64::from(1 << 20),
-        );
+        let [part, share] =
+            [0; 2].map(|_| f64::from(sweep.within(0, 1 << 20)) / f64::from(1 << 20));
+        let on_chord = mix(one, other, part);
         let aside = sweep.triple(1 << 20).map(f64::from);
         let length = distance([aside, [0.0; 3]]).max(1.0);
         let off = [0, 1, 2].map(|axis| aside[axis] / length * f64::from(bulge));
         let on_curve = [0, 1, 2].map(|axis| on_chord[axis] + off[axis]);
-        let share = f64::from(sweep.within(0, 1 << 20)) / f64::from(1 << 20);
         let [point, straight] = [on_curve, on_chord].map(|end| mix(apex, end, share));
         let radius = sweep.octaves(4, 22);
         let within = sweep.triple(radius * 4 / 7);

@@ -20,9 +20,6 @@ impl Bordered for PreparedCylinder {
         [left, right]: [u16; 2],
     ) -> Option<Span<[u16; 4]>> {
         let rims = self.rims(from, row)?;
-        if row.off(from.way.dot(row.axis.ahead) + self.reach) > SLACK {
-            return Some(Span::unsure([left, right], rims));
-        }
         let (borders, is_wall_sure) = self.wall(from, row)?;
         let screen = [i32::from(left) << 4, i32::from(right) << 4];
         let ends = [screen[0].max(borders[0]), screen[1].min(borders[1])];
@@ -175,10 +172,11 @@ impl PreparedCylinder {
         const ALL: [i32; 2] = [0, i32::MAX >> 4];
         let radius = self.radius + SLACK;
         let rest = from.across.square();
-        if rest <= square(radius + (radius >> 6)) {
-            // The eye is inside of the infinite cylinder, or close to it.
+        let is_known = row.holds_rays(from.way.dot(row.axis.ahead) + self.reach);
+        if !is_known || rest <= square(radius + (radius >> 6)) {
+            // Rays may leave the row's plane, or the eye is inside of the infinite cylinder or close to it.
             let inner = (radius - (radius >> 6) - 2 * SLACK).max(0);
-            return Some((ALL, rest < square(inner)));
+            return Some((ALL, is_known && rest < square(inner)));
         }
         let touching = square_root(rest - square(radius));
         let toward = from.way.without(self.axis, from.rise);
@@ -219,8 +217,8 @@ impl PreparedCylinder {
         Some(([first, last], is_sure))
     }
 
-    /// Returns where the rims of both ends begin and end. `None` if the row passes the cylinder: both ends lie on one side
-    /// of it.
+    /// Returns where the rims of both ends begin and end. `None` if the row passes the cylinder: its plane cuts neither end,
+    /// and both lie on one side of it.
     fn rims(&self, from: &CylinderFromPoint, row: &RowPlane) -> Option<[u16; 4]> {
         let (_, half_axis, radius) = self.capsule();
         let mut rims = [NO_COLUMN; 4];

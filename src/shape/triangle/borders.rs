@@ -53,17 +53,18 @@ impl Bordered for PreparedTriangle {
         row: &RowPlane,
         screen: [u16; 2],
     ) -> Option<Span<[u16; 1]>> {
+        // No corner is further away from another than the ball is wide.
+        if !row.holds_rays(from.way.dot(row.axis.ahead) + 2 * self.radius) {
+            return Some(Span::unsure(screen, [ANY_COLUMN]));
+        }
         let corners = self.ways(from).map(|way| (way, way.dot(row.normal)));
-        // No corner is further away than the ball is wide.
-        let off = row.off(from.way.dot(row.axis.ahead) + 2 * self.radius);
-        let near = NEAR_PLANE.max(2 * off);
-        let above = corners.map(|(_, height)| i32::from(height > near));
-        let below = corners.map(|(_, height)| i32::from(height < -near));
+        let above = corners.map(|(_, height)| i32::from(height > NEAR_PLANE));
+        let below = corners.map(|(_, height)| i32::from(height < -NEAR_PLANE));
         let sums = [above, below].map(|it| it.iter().sum::<i32>());
         let side = match sums {
             [3, 0] | [0, 3] => return None,
-            [1, 2] if off <= OFF => above,
-            [2, 1] if off <= OFF => below,
+            [1, 2] => above,
+            [2, 1] => below,
             _ => return Some(Span::unsure(screen, [ANY_COLUMN])),
         };
         // The corner that is alone on its side comes first.
