@@ -81,9 +81,9 @@ pub(crate) struct Colors<'s, 'a, W: World, K, Q, M = Unmarked> {
     column: u32,
     /// Column from which on colours are not known yet.
     until: u32,
-    /// Last column that may be traced. It lies up to a block beyond the picture; in a picture narrower
-    /// than two blocks it is the last column, because rays beyond it would exceed the formats.
-    last: u32,
+    /// Column after the picture, or with smooth edges after its last chunk. It may be traced, unless the picture is narrower
+    /// than two blocks: rays beyond it would exceed the formats.
+    edge: u32,
     /// Number of columns of a block.
     block: u32,
     /// The traced pixel after the block, and its column.
@@ -152,9 +152,9 @@ impl<'s, 'a, W: World, K: Shading, Q: Quality, M: Marks> Colors<'s, 'a, W, K, Q,
             directions,
             column,
             until: first,
-            last: match width >= 2 * block {
-                true => (width + block - 1).min(u16::MAX.into()),
-                false => width - 1,
+            edge: match Q::SMOOTHNESS > 1 && width >= 2 * block {
+                true => width.next_multiple_of(block).min(u16::MAX.into()),
+                false => width,
             },
             block,
             end: (u32::MAX, End::NONE),
@@ -184,9 +184,12 @@ impl<'s, 'a, W: World, K: Shading, Q: Quality, M: Marks> Colors<'s, 'a, W, K, Q,
             return;
         }
         self.until = last;
-        if last > self.last {
-            return self.trace_each(first, self.last + 1, sink);
+        let is_narrow = self.edge < 2 * self.block;
+        let is_short = self.edge - first <= SHORTEST;
+        if last >= self.edge && (is_narrow || is_short) {
+            return self.trace_each(first, self.edge, sink);
         }
+        let last = last.min(self.edge);
         let start = match self.end {
             (column, end) if column == first => end,
             _ => self.trace(first, 0),

@@ -172,6 +172,20 @@ fn ball_with_a_highlight_is_interpolated_around_its_middle() {
 }
 
 #[test]
+fn nothing_is_traced_beyond_the_pixel_after_a_picture() {
+    // A mirror that fills the view: each pixel is traced.
+    let mut scene = Few::new();
+    let mirror = Material::from_numbers([0; 3], 0, 0, (0, 0), 1).unwrap();
+    let mirror = scene.add_material(mirror).unwrap();
+    scene.add_sphere([0, 10, 0], 9, mirror).unwrap();
+    for width in 30..200 {
+        let (_, rays) = drawn::<Fast>(&scene, &ahead(0.0, 60.0), Size::new(width, 1));
+        let all = u64::from(2 * width);
+        assert!((all..=all + 2).contains(&rays), "{width}: {rays}");
+    }
+}
+
+#[test]
 fn mirror_up_to_the_horizon_is_interpolated() {
     let mut scene = glossy([0.0, 10.0, 3.0], 1.0);
     let mirror = Material::from_numbers([0.5; 3], 0.2, 0.3, (0, 0), 0.6).unwrap();
