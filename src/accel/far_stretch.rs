@@ -9,8 +9,9 @@ use super::stretch::is_off;
 use crate::number::{Length, Unit};
 use crate::ray::{Ray, ScaledPoint, shift_of};
 use crate::scene::access::ShapeId;
-use crate::shape::bordered::{Bordered, square};
-use crate::shape::rays::SLACK;
+use crate::scene::shape_set::{SetLayout, ShapeSet};
+use crate::shape::bordered::{Ball, Bordered, square};
+use crate::shape::rays::{Beam, SLACK};
 use crate::vector::{Direction, Point, Vector};
 
 /// All rays from the points of a stretch to a far light: a strip between those of its two ends, as thick as the stretch
@@ -27,6 +28,8 @@ struct Strip<'a> {
     seen: (Direction, Length),
     /// Upper bound of the distance of a ray from the strip, in steps of 2^`scale`.
     thickness: i32,
+    /// The beam that holds all rays, around that from the first end. `None` if the stretch is far.
+    beam: Option<Beam>,
 }
 
 impl<'a> Strip<'a> {
@@ -34,18 +37,30 @@ impl<'a> Strip<'a> {
     fn new(stretch: &'a LitStretch, towards: [Direction; 2]) -> Self {
         let [first, last] = stretch.ends;
         let (way, scale) = first.to(last);
+        let own = way.normalised();
+        let thickness = (stretch.bulge >> shift_of(scale)) + SLACK;
+        let width = own.1.to_bits().saturating_add(thickness);
         Self {
             stretch,
             towards,
             way,
             scale,
-            own: way.normalised(),
+            own,
             seen: way.without(towards[0], way.dot(towards[0])).normalised(),
-            thickness: (stretch.bulge >> shift_of(scale)) + SLACK,
+            thickness,
+            beam: (scale == 0 && width < WIDEST).then(|| Beam::parallel(towards[0], width)),
         }
     }
 
+    /// Tests whether a ball surely lies outside of the beam.
+    #[inline(always)]
+    fn avoids(&self, (center, radius): Ball) -> bool {
+        let way = self.stretch.ends[0].point.to(center);
+        self.beam.is_some_and(|beam| beam.avoids_ball(way, radius))
+    }
+
     /// Tests whether the capsule around a shape surely lies behind the start of the strip, or beside it.
+    #[inline(never)]
     fn misses<K: Bordered>(&self, shape: &K) -> bool {
         let (center, half_axis, radius) = shape.outline();
         let ([ahead, _], shift) = (self.towards, shift_of(self.scale));
@@ -106,6 +121,9 @@ impl<'a> Strip<'a> {
     }
 }
 
+/// Largest radius of a beam in steps.
+const WIDEST: i32 = 1 << 28;
+
 /// The cosine of 20 degrees.
 const ALIKE: Unit = Unit::from_bits(1_009_000_000);
 
@@ -130,30 +148,41 @@ macro_rules! far_lights {
         $({ $list:ident $($more:tt)* })*
     ) => {
         /// Returns whether a far light that no plane hides shines on all points of a stretch, or on none; `None` if that
-        /// is not sure. The stretch faces it. `towards` are the directions from its ends to the light.
+        /// is not sure. The stretch faces it. `towards` are the directions from its ends to the light. Only `suspects` may
+        /// hide points of the stretch. If it is not sure, those are left of them that may hide some points.
         #[inline(never)]
         pub(crate) fn far_lights_all<W: World>(
             world: &W,
             stretch: &LitStretch,
             towards: [Direction; 2],
+            suspects: &mut ShapeSet,
         ) -> Option<bool> {
             let strip = Strip::new(stretch, towards);
-            let (parts, first, mut is_unsure) = (world.parts(), 0, false);
+            let (parts, mut unsure) = (world.parts(), ShapeSet::NONE);
+            let lengths = parts.lengths();
+            let (kind, first) = (0, 0);
             $(
-                for (index, shape) in parts.$list.iter().enumerate() {
+                let is_hidden = suspects.any(W::NEEDS.sets, (kind, lengths), parts.$list, |index, shape| {
                     // A convex surface hides no part of itself that faces the light.
                     let is_own = stretch.shape == ShapeId::at(first + index);
-                    if !(is_own && !stretch.is_hollow || strip.misses(shape)) {
-                        if !is_own && strip.is_hidden_by(shape) {
-                            return Some(false);
-                        }
-                        is_unsure = true;
+                    if is_own && !stretch.is_hollow
+                        || strip.avoids(shape.bounding_ball())
+                        || strip.misses(shape)
+                    {
+                        return false;
                     }
+                    let bit = SetLayout::new(lengths).bit(kind, index);
+                    unsure = unsure.with(ShapeSet::of(bit));
+                    !is_own && strip.is_hidden_by(shape)
+                });
+                if is_hidden {
+                    return Some(false);
                 }
-                let first = first + parts.$list.len();
+                let (kind, first) = (kind + 1, first + lengths[kind]);
             )*
-            let _ = first;
-            (!is_unsure).then_some(true)
+            let _ = (kind, first);
+            *suspects = unsure;
+            (unsure == ShapeSet::NONE).then_some(true)
         }
     };
 }

@@ -93,6 +93,15 @@ pub struct Beam {
 const WIDEST_BEAM: Unit = Unit::from_bits(3 << 27);
 
 impl Beam {
+    /// Returns the beam of parallel rays, which do not end. `width` is its radius in steps.
+    pub(crate) const fn parallel(first: Direction, width: i32) -> Self {
+        Self {
+            first,
+            width,
+            end: i32::MAX,
+        }
+    }
+
     /// Tests whether a ball surely lies outside of the beam, so that all rays miss it. `way` is the vector from the apex to
     /// the ball's centre.
     #[inline(always)]

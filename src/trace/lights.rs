@@ -3,23 +3,25 @@
 
 use super::shown::Shown;
 use super::stretch::{LARGEST_TURN, sure};
-use super::{PathQuality, Tracer};
+use super::{PathQuality, Progress, Tracer};
 use crate::accel::light_occluders::LightOccluders;
 use crate::accel::{World, far_lights_all, lights_all};
 use crate::number::{Brightness, Unit};
 use crate::ray::ScaledPoint;
+use crate::scene::shape_set::ShapeSet;
 use crate::shade::Samples;
 use crate::shade::highlight::sealed::Shading;
 use crate::shape::rays::Rays;
 
 impl<W: World, K: Shading, Q: PathQuality> Tracer<'_, W, K, Q> {
-    /// Tests whether each light surely shines on a whole stretch or on nothing of it. Raises `samples` to the number of
-    /// pixels that show how it shines. `steps` are proved before. If a light is not proved, returns how many steps are.
+    /// Tests whether each light surely shines on a whole stretch or on nothing of it. `steps` are proved before. Raises the
+    /// number of samples to the number of pixels that show how it shines. If a light is not proved, returns how many steps
+    /// are, and leaves its suspects.
     pub(super) fn keeps_lights(
         &self,
         shown: &Shown<'_>,
         steps: usize,
-        samples: &mut Samples,
+        proved: &mut Progress,
     ) -> Result<(), usize> {
         let material = shown.material;
         let is_blank = W::HAS_BLANK && !material.has_own();
@@ -31,16 +33,22 @@ impl<W: World, K: Shading, Q: PathQuality> Tracer<'_, W, K, Q> {
             if self.visibility.is_hidden(index) {
                 continue;
             }
-            let own = self.samples(shown, light, index);
+            let own = self.samples(shown, (light, index), &mut proved.suspects);
             sure(own < Samples::All, 1 + index)?;
-            *samples = own.max(*samples);
+            proved.samples = own.max(proved.samples);
+            proved.suspects = *ShapeSet::ALL;
         }
         Ok(())
     }
 
     /// Returns how many pixels show how a light shines on a stretch: all, unless it surely shines on the whole stretch
     /// or on nothing of it.
-    fn samples(&self, shown: &Shown<'_>, light: &LightOccluders<W::Room>, index: usize) -> Samples {
+    fn samples(
+        &self,
+        shown: &Shown<'_>,
+        (light, index): (&LightOccluders<W::Room>, usize),
+        suspects: &mut ShapeSet,
+    ) -> Samples {
         let place = light.light().place;
         let ([first, last], [one, other]) = (shown.lit.ends, shown.normals);
         let faces = |end: ScaledPoint, normal| end.to(place).0.dot(normal) > 0;
@@ -65,7 +73,7 @@ impl<W: World, K: Shading, Q: PathQuality> Tracer<'_, W, K, Q> {
             true => Samples::Five,
             false => Samples::Three,
         };
-        match is_facing.then(|| self.shines((light, index), shown, &rays)) {
+        match is_facing.then(|| self.shines((light, index), (shown, &rays), suspects)) {
             Some(None) => Samples::All,
             Some(Some(true)) if has_highlight => samples.max(shown.highlight_samples::<K>(&rays)),
             _ => samples,
@@ -77,8 +85,8 @@ impl<W: World, K: Shading, Q: PathQuality> Tracer<'_, W, K, Q> {
     fn shines(
         &self,
         (light, index): (&LightOccluders<W::Room>, usize),
-        shown: &Shown<'_>,
-        rays: &Rays,
+        (shown, rays): (&Shown<'_>, &Rays),
+        suspects: &mut ShapeSet,
     ) -> Option<bool> {
         let world = self.world;
         if !(K::SHADOWS && W::NEEDS.shadows) {
@@ -88,12 +96,12 @@ impl<W: World, K: Shading, Q: PathQuality> Tracer<'_, W, K, Q> {
         if W::NEEDS.far_lights && !lamp.place.is_near() {
             let towards = rays.ends.map(|end| lamp.sun().unwrap_or(end.reversed()));
             return match self.visibility.is_open(index) {
-                true => far_lights_all(world, &shown.lit, towards),
+                true => far_lights_all(world, &shown.lit, towards, suspects),
                 false => None,
             };
         }
         match self.visibility.is_clear(index) {
-            true => lights_all::<W, Q>(world, (light, index), &shown.lit, rays),
+            true => lights_all::<W, Q>(world, (light, index), (&shown.lit, rays), suspects),
             false => None,
         }
     }

@@ -12,6 +12,7 @@ use crate::accel::{LitStretch, Window, World, is_clear_way};
 use crate::number::Unit;
 use crate::ray::ScaledPoint;
 use crate::scene::access::ShapeId;
+use crate::scene::shape_set::ShapeSet;
 use crate::scene::surface::checker_of;
 use crate::shade::Samples;
 use crate::shade::highlight::sealed::Shading;
@@ -32,6 +33,8 @@ pub(crate) struct Progress {
     hits: usize,
     /// Of the next hit, 0 if nothing is proved, else 1 + the number of lights.
     steps: usize,
+    /// The shapes that may hide some points of the next hit from its next light.
+    pub(super) suspects: ShapeSet,
     /// Number of pixels that show how the colours of the proved hits change.
     pub(crate) samples: Samples,
     /// The last column before a shape that may come to the front, if the last proof failed because of it.
@@ -43,6 +46,7 @@ impl Progress {
     pub(crate) const NONE: Self = Self {
         hits: 0,
         steps: 0,
+        suspects: *ShapeSet::ALL,
         samples: Samples::Three,
         border: None,
     };
@@ -139,7 +143,7 @@ impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
                 false => self.keeps_front(between, origin, (stops, &shown), proved),
             };
         sure(keeps, 0)?;
-        self.keeps_lights(&shown, steps.max(1), &mut proved.samples)
+        self.keeps_lights(&shown, steps.max(1), proved)
     }
 
     /// Tests whether all rays between two that hit nothing hit nothing, and show a sky that can be interpolated.

@@ -49,6 +49,7 @@ fn shines_on(scene: &Built, at: ScaledPoint) -> bool {
 fn far_light_shines_on_all_points_where_it_is_said_to() {
     let mut sweep = Sweep::new(83);
     let (mut said, mut lit, mut lamps, mut dark) = (0, 0, 0, [0; 2]);
+    let mut parts_known = 0;
     for round in 0..2_000 {
         let far = [60.0, 100.0, 1e3, 1e6][round % 4];
         let scene = scene(&mut sweep, far, round % 8 == 7);
@@ -63,20 +64,30 @@ fn far_light_shines_on_all_points_where_it_is_said_to() {
                 let place = [0, 1, 2].map(|axis| middle[axis] + 0.1 * share * half[axis]);
                 parts.grid.place(Position::new(place))
             };
-            let stretch = LitStretch {
-                shape: ShapeId::NONE,
-                is_hollow: false,
-                bulge: 0,
-                slack: 0,
-                ends: [at(-1.0), at(1.0)],
+            let mut suspects = *ShapeSet::ALL;
+            let mut ask = |from: i32, to: i32| {
+                let stretch = LitStretch {
+                    shape: ShapeId::NONE,
+                    is_hollow: false,
+                    bulge: 0,
+                    slack: 0,
+                    ends: [from, to].map(|it| at(f64::from(it) / 10.0)),
+                };
+                let from_light = Rays::new(light.place, stretch.ends).ends;
+                let towards = from_light.map(|it| light.sun().unwrap_or(it.reversed()));
+                let is_said = far_lights_all(&&scene, &stretch, towards, &mut suspects);
+                let shines = || (from..=to).map(|it| shines_on(&scene, at(f64::from(it) / 10.0)));
+                let (is_lit, is_dark) = (shines().all(|it| it), !shines().any(|it| it));
+                let is_true = is_said.is_none_or(|it| if it { is_lit } else { is_dark });
+                assert!(is_true, "round {round}, {from} to {to}");
+                (is_said, is_lit, is_dark)
             };
-            let from_light = Rays::new(light.place, stretch.ends).ends;
-            let towards = from_light.map(|it| light.sun().unwrap_or(it.reversed()));
-            let is_said = far_lights_all(&&scene, &stretch, towards);
-            let shines = || (-10..=10).map(|it| shines_on(&scene, at(f64::from(it) / 10.0)));
-            let (is_lit, is_dark) = (shines().all(|it| it), !shines().any(|it| it));
-            let is_true = is_said.is_none_or(|it| if it { is_lit } else { is_dark });
-            assert!(is_true, "round {round}");
+            let (is_said, is_lit, is_dark) = ask(-10, 10);
+            // Only the suspects that the whole leaves are asked about its parts.
+            if is_said.is_none() {
+                parts_known += u32::from(ask(-10, 0).0.is_some());
+                ask(-5, 0);
+            }
             said += u32::from(is_said == Some(true));
             lit += u32::from(is_lit);
             dark[0] += u32::from(is_said == Some(false));
@@ -88,4 +99,5 @@ fn far_light_shines_on_all_points_where_it_is_said_to() {
         said * 100 > lit * 93 && dark[0] * 100 > dark[1] * 99 && lit < 17_000 && lamps > 5_000,
         "{said} of {lit}, {lamps}, {dark:?}"
     );
+    assert!(parts_known > 500, "{parts_known}");
 }
