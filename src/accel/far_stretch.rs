@@ -162,7 +162,7 @@ macro_rules! far_lights {
             let lengths = parts.lengths();
             let (kind, first) = (0, 0);
             $(
-                let is_hidden = suspects.any(W::NEEDS.sets, (kind, lengths), parts.$list, |index, shape| {
+                let is_hidden = suspects.any(true, (kind, lengths), parts.$list, |index, shape| {
                     // A convex surface hides no part of itself that faces the light.
                     let is_own = stretch.shape == ShapeId::at(first + index);
                     if is_own && !stretch.is_hollow

@@ -228,7 +228,7 @@ macro_rules! any_hides {
             let (kind, first) = (0, 0);
             $(
                 let from = light.$list();
-                if set.any(W::NEEDS.sets, (kind, lengths), parts.$list, |index, shape| {
+                if set.any(true, (kind, lengths), parts.$list, |index, shape| {
                     let is_own = found.stretch.shape == ShapeId::at(first + index);
                     let bit = SetLayout::new(lengths).bit(kind, index);
                     from.get(index).is_some_and(|from| found.ask((shape, bit), from, is_own))
