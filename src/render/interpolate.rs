@@ -48,6 +48,12 @@ const SHORT: u32 = 8;
 /// than to trace what is left.
 const SHORTEST: u32 = 8;
 
+/// How many proofs may fail in a block before the rest of it is traced. A proof that fails takes as long as a few pixels.
+const CREDIT: u32 = 4;
+
+/// How many more may fail for each that succeeds.
+const EARNED: u32 = 2;
+
 /// Number of traced pixels whose hits are stored: 0 and 1 are the ends of a block, then those of its parts; the last is
 /// [`UNREAD`].
 const SLOTS: usize = 6;
@@ -92,6 +98,8 @@ pub(crate) struct Colors<'s, 'a, W: World, K, Q, M = Unmarked> {
     stops: [Stops; SLOTS],
     /// A bit for each slot that is free.
     free: u32,
+    /// How many proofs may still fail in the block before the rest of it is traced.
+    credit: u32,
     /// Column before which no path hits anything, if it is to the right of `until`.
     clear_until: u32,
     /// What the paths of the chunk's pixels met.
@@ -160,6 +168,7 @@ impl<'s, 'a, W: World, K: Shading, Q: Quality, M: Marks> Colors<'s, 'a, W, K, Q,
             end: (u32::MAX, End::NONE),
             stops: [Stops::NONE; SLOTS],
             free: 0,
+            credit: 0,
             clear_until: 0,
             marks: M::NONE,
         }
@@ -198,6 +207,7 @@ impl<'s, 'a, W: World, K: Shading, Q: Quality, M: Marks> Colors<'s, 'a, W, K, Q,
         let end = self.trace(last, 1 - start.slot);
         self.end = (last, end);
         self.free = (1 << UNREAD) - 1 - 0b11;
+        self.credit = CREDIT;
         self.set(first, start.traced, sink);
         self.between([first, last], [&start, &end], Progress::NONE, sink);
     }

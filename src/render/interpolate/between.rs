@@ -1,6 +1,6 @@
 //! Floor 7: the colours between two traced pixels of a block: interpolated, or divided further.
 
-use super::{Colors, End, Marks, SHORTEST, SLOTS, Sink, UNREAD};
+use super::{Colors, EARNED, End, Marks, SHORTEST, SLOTS, Sink, UNREAD};
 use crate::accel::World;
 use crate::color::{Bend, Parabola};
 use crate::render::Quality;
@@ -48,12 +48,20 @@ impl<W: World, K: Shading, Q: Quality, M: Marks> Colors<'_, '_, W, K, Q, M> {
     }
 
     /// Tests whether all paths between two traced pixels surely meet the same shapes, lit by the same lights. Returns
-    /// `false` without a proof if there are few pixels between.
+    /// `false` without a proof if there are few pixels between, or if too many proofs have failed in the block.
     #[inline(always)]
     fn is_steady(&mut self, columns: [u32; 2], ends: [&End; 2], proved: &mut Progress) -> bool {
         let (between, stops) = ((&self.window, columns), hits(&self.stops, ends));
         let is_long = columns[1] - columns[0] >= SHORTEST;
-        is_long && is_alike(ends) && self.tracer.is_steady(between, stops, proved)
+        if !is_long || self.credit == 0 || !is_alike(ends) {
+            return false;
+        }
+        let is_steady = self.tracer.is_steady(between, stops, proved);
+        self.credit = match is_steady {
+            true => self.credit + EARNED,
+            false => self.credit - 1,
+        };
+        is_steady
     }
 
     /// Returns where to divide the pixels between two traced ones that do not surely show the same: the columns before and
@@ -66,8 +74,8 @@ impl<W: World, K: Shading, Q: Quality, M: Marks> Colors<'_, '_, W, K, Q, M> {
         proved: &Progress,
     ) -> Option<[u32; 2]> {
         let [first, last] = columns;
-        // Parts of it would be too short to prove anything.
-        if last - first <= SHORTEST || self.free == 0 {
+        // Parts of it would be too short to prove anything, or nothing more is proved.
+        if last - first <= SHORTEST || self.free == 0 || self.credit == 0 {
             return None;
         }
         let (between, stops) = ((&self.window, columns), hits(&self.stops, ends));
