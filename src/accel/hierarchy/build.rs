@@ -55,8 +55,9 @@ impl<'a> Hierarchy<'a> {
     }
 }
 
-/// Tests whether a constant scene gains by a hierarchy: so many rays leave mirrors, or it has a mesh. At least two planes
-/// mirror, or at least an eighth of the shapes, each counted as the square of its ball's radius.
+/// Tests whether a constant scene gains by a hierarchy: so many rays leave mirrors, or it has a mesh, or a crowd under a far
+/// light. Many rays leave mirrors if at least two planes mirror, or at least an eighth of the shapes, each counted as the
+/// square of its ball's radius.
 pub(in crate::accel) const fn is_useful(parts: &Parts<'_>) -> bool {
     let (mut planes, mut index) = (0, 0);
     while index < parts.planes.len() {
@@ -71,7 +72,18 @@ pub(in crate::accel) const fn is_useful(parts: &Parts<'_>) -> bool {
         mirroring += square * mirrors(parts, material) as u64;
         shape += 1;
     }
-    planes > 1 || 8 * mirroring >= all || has_mesh(parts)
+    planes > 1 || 8 * mirroring >= all || has_mesh(parts) || has_sunlit_crowd(parts)
+}
+
+/// Tests whether a far light, which no table covers, shines on more than 48 bounded shapes. To ask all of fewer shapes takes
+/// less time.
+const fn has_sunlit_crowd(parts: &Parts<'_>) -> bool {
+    let (mut is_sunlit, mut index) = (false, 0);
+    while index < parts.lights.len() {
+        is_sunlit |= !parts.lights[index].place.is_near();
+        index += 1;
+    }
+    is_sunlit && parts.bounded() > 48
 }
 
 /// Tests whether a scene has a mesh: more than 16 triangles. The test of a triangle takes longer than that of a ball around
