@@ -23,12 +23,9 @@ pub(crate) use sink::Buffer;
 
 use crate::accel::{LONGEST_BLOCK, Window, World};
 use crate::camera::RowDirections;
-use crate::checker::PreparedChecker;
 use crate::number::{Unit, to_u32};
 use crate::render::Quality;
 use crate::render::smooth::CHUNK;
-use crate::scene::access::ShapeId;
-use crate::scene::surface::checker_of;
 use crate::shade::highlight::sealed::Shading;
 use crate::trace::{Pixel, Progress, Stops, Traced, Tracer};
 use crate::vector::Direction;
@@ -128,12 +125,8 @@ impl<'s, 'a, W: World, K: Shading, Q: Quality, M: Marks> Colors<'s, 'a, W, K, Q,
         if !Tracer::<W, K, Q>::IS_INTERPOLATED || !tracer.is_near() {
             return 1;
         }
-        let parts = tracer.world.parts();
-        let shapes = 0..parts.bounded() + parts.planes.len();
-        let mut checkers = shapes.filter_map(|it| checker_of(tracer.world, ShapeId::at(it)));
-        let is_checkered = W::NEEDS.checkers && checkers.any(PreparedChecker::has_cells);
-        // Many shapes, and the cells of checkers, have borders that lie close together.
-        let is_dense = is_checkered || width / 12 < to_u32(parts.bounded());
+        // Many shapes have borders that lie close together.
+        let is_dense = width / 12 < to_u32(tracer.world.parts().bounded());
         let block = block_of(width, is_dense);
         // Smooth edges ask what the paths of a chunk met.
         if Q::SMOOTHNESS == 1 {
