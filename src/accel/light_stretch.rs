@@ -6,13 +6,13 @@
 use super::light_occluders::LightOccluders;
 use super::light_table::rays_set;
 use super::{CullingQuality, World};
-use crate::number::{Length, Unit, ratio, scaled_by_unit, unsigned};
+use crate::number::Length;
 use crate::ray::ScaledPoint;
 use crate::scene::access::ShapeId;
 use crate::scene::shape_set::{SetLayout, ShapeSet};
 use crate::shape::bordered::{Ball, Bordered, Fan};
 use crate::shape::bounded::{Bounded, LightRay, Own};
-use crate::shape::rays::{Beam, Rays, SLACK};
+use crate::shape::rays::{Beam, Rays};
 use crate::vector::Point;
 
 /// The points of a surface that a stretch shows.
@@ -82,36 +82,13 @@ impl<'a> Sight<'a> {
         self.beam.is_some_and(|beam| beam.avoids_ball(way, radius))
     }
 
-    /// Returns the fan of the rays, for a test of what lies in a ball: it is as thick as its part in the ball needs.
+    /// Returns the fan of the rays.
     #[inline(never)]
-    fn fan(&mut self, ball: Ball) -> Option<&Fan> {
+    fn fan(&mut self) -> Option<&Fan> {
         if self.fan.is_none() {
             self.fan = Fan::new(self.rays, self.bulge);
         }
-        // A stretch that hardly bulges has a thin fan everywhere.
-        if self.bulge > SLACK {
-            let thickness = self.thickness(ball);
-            self.fan.as_mut()?.thickness = thickness;
-        }
         self.fan.as_ref()
-    }
-
-    /// Returns an upper bound of the distance between the fan's triangle and any point of a ray that lies in a ball.
-    ///
-    /// A point at the share f of its ray is off the triangle by at most f times the bulge. Between rays up to 20 degrees
-    /// apart, f is at most 1.14 times the point's distance along the first ray, over the length of the shorter one. 1.25 is
-    /// taken.
-    #[inline(always)]
-    fn thickness(&self, (center, radius): Ball) -> i32 {
-        let Rays { ends, reaches, .. } = self.rays;
-        let along = self.rays.apex.point.to(center).dot(ends[0]) + radius + self.bulge;
-        let along = (along + (along >> 2)).max(0);
-        let nearest = reaches[0].min(reaches[1]).to_bits();
-        if self.beam.is_none() || along >= nearest {
-            return self.bulge + SLACK;
-        }
-        let share = Unit::from_bits(ratio(unsigned(along), unsigned(nearest)));
-        scaled_by_unit(self.bulge, share) + 1 + SLACK
     }
 }
 
@@ -151,7 +128,7 @@ impl Found<'_> {
         is_own: bool,
     ) -> bool {
         let (rays, epsilon) = (self.sight.rays, self.epsilon);
-        let hides = match self.sight.fan(shape.bounding_ball()) {
+        let hides = match self.sight.fan() {
             Some(fan) if shape.spares(from, fan) => return false,
             Some(fan) => {
                 !is_own && hides_ends(shape, from, (rays, epsilon)) && shape.hides(from, fan)
@@ -201,7 +178,7 @@ macro_rules! any_hides {
                     let (center, radius) = shape.bounding_ball();
                     stretch.shape == ShapeId::at(first + index)
                         || sight.misses((center, radius))
-                        || sight.fan((center, radius)).is_some_and(|fan| {
+                        || sight.fan().is_some_and(|fan| {
                             fan.avoids_ball(eye.to(center), radius)
                                 || shape.spares(&shape.seen_from_light(eye), fan)
                         })
@@ -243,6 +220,3 @@ macro_rules! any_hides {
     };
 }
 kinds!(any_hides);
-
-#[cfg(test)]
-mod tests;

@@ -9,8 +9,8 @@ use super::cap::{Cap, SIDE, cell, cell_of, cells_between};
 use super::{CullingQuality, World};
 use crate::number::{Unit, signed, to_u8, to_u32};
 use crate::ray::ScaledPoint;
-use crate::scene::Parts;
 use crate::scene::shape_set::{SetLayout, ShapeSet};
+use crate::scene::{FEW, Parts};
 use crate::shape::rays::Rays;
 use crate::vector::{Direction, Vector};
 
@@ -240,7 +240,7 @@ pub(crate) fn light_set<W: World, Q: CullingQuality>(
 /// Returns the table of a light, if it has one and `Q` uses tables.
 #[inline(always)]
 fn table_of<W: World, Q: CullingQuality>(world: &W, light: usize) -> Option<&LightTable> {
-    match W::NEEDS.sets && Q::CULLING.light_tables {
+    match W::NEEDS.sets && Q::CULLING.light_tables && world.parts().bounded() > FEW {
         true => world.tables().light_tables.get(light),
         false => None,
     }

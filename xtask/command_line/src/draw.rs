@@ -89,15 +89,16 @@ impl Draw<'_> {
         }
     }
 
-    /// Draws with the same calls as on a board: a frame, its settings, and rows.
+    /// Draws as a board does: with tables, and by the same calls: a frame, its settings, and rows.
     fn by_rows<Q: quality::Quality, K: shading::Shading>(
         self,
         row: &mut dyn FnMut(u32, &[Rgb888]),
     ) -> Report {
-        let frame = self.scene.frame(self.camera);
+        let scene = self.scene.tabled();
+        let frame = scene.frame(self.camera);
         let frame = frame.reflections(self.settings.reflections);
         let prepared = frame.quality::<Q>().shading::<K>().prepare(self.size);
-        let picture = prepared.on(self.scene).expect("the scene never changes");
+        let picture = prepared.on(&scene).expect("the scene never changes");
         let Size { width, height } = self.size;
         let mut pixels = vec![Rgb888::BLACK; width as usize];
         let mut seam = quality::Seam::<32>::new(); // for 1024 columns
