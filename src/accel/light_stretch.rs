@@ -9,7 +9,7 @@ use super::{CullingQuality, World};
 use crate::number::Length;
 use crate::ray::ScaledPoint;
 use crate::scene::access::ShapeId;
-use crate::scene::shape_set::{SetLayout, ShapeSet};
+use crate::scene::shape_set::ShapeSet;
 use crate::shape::bordered::{Ball, Bordered, Fan};
 use crate::shape::bounded::{Bounded, LightRay, Own};
 use crate::shape::rays::{Beam, Rays};
@@ -32,26 +32,24 @@ pub(crate) struct LitStretch {
 /// Returns whether a clear light shines on all points of a stretch, or on none; `None` if that is not sure.
 /// The stretch faces the light.
 ///
-/// `light` is the light and its index, `rays` its rays to the ends of the stretch. Only `suspects` may hide points of the
-/// stretch. If it is not sure, those are left of them that may hide some points and spare others.
+/// `light` is the light and its index, `rays` its rays to the ends of the stretch.
 pub(crate) fn lights_all<W: World, Q: CullingQuality>(
     world: &W,
     (light, index): (&LightOccluders<W::Room>, usize),
-    (stretch, rays): (&LitStretch, &Rays),
-    suspects: &mut ShapeSet,
+    stretch: &LitStretch,
+    rays: &Rays,
 ) -> Option<bool> {
     let set = rays_set::<W, Q>(world, index, rays, stretch.bulge);
     let mut found = Found {
         stretch,
         sight: Sight::new(rays, stretch.bulge),
         epsilon: world.parts().epsilon,
-        unsure: ShapeSet::NONE,
+        is_unsure: false,
     };
-    if any_hides(world, &set.common(*suspects), light, &mut found) {
-        return Some(false);
+    match any_hides(world, &set, light, &mut found) {
+        true => Some(false),
+        false => (!found.is_unsure).then_some(true),
     }
-    *suspects = found.unsure;
-    (found.unsure == ShapeSet::NONE).then_some(true)
 }
 
 /// The rays from an eye or a light to the points of a stretch, and the bodies that hold them all.
@@ -97,16 +95,16 @@ struct Found<'a> {
     stretch: &'a LitStretch,
     sight: Sight<'a>,
     epsilon: Length,
-    /// The shapes that may hide some points and spare others.
-    unsure: ShapeSet,
+    /// Whether a shape may hide some points and spare others.
+    is_unsure: bool,
 }
 
 impl Found<'_> {
-    /// Tests whether a shape hides all points of the stretch. Notes its `bit` if it may hide some of them.
+    /// Tests whether a shape hides all points of the stretch. Notes if it may hide some of them.
     #[inline(always)]
     fn ask<K: Bordered>(
         &mut self,
-        (shape, bit): (&K, usize),
+        shape: &K,
         from: &<K as Bounded>::FromLight,
         is_own: bool,
     ) -> bool {
@@ -115,15 +113,15 @@ impl Found<'_> {
         if is_own && is_closed {
             return false;
         }
-        !self.sight.misses(shape.bounding_ball()) && self.hides((shape, bit), from, is_own)
+        !self.sight.misses(shape.bounding_ball()) && self.hides(shape, from, is_own)
     }
 
-    /// Tests whether a shape that the beam meets hides all points of the stretch. Notes its `bit` if it may hide some of
-    /// them. Compiled once for each kind, not for each scene.
+    /// Tests whether a shape that the beam meets hides all points of the stretch. Notes if it may hide some of them. Compiled
+    /// once for each kind, not for each scene.
     #[inline(never)]
     fn hides<K: Bordered>(
         &mut self,
-        (shape, bit): (&K, usize),
+        shape: &K,
         from: &<K as Bounded>::FromLight,
         is_own: bool,
     ) -> bool {
@@ -135,9 +133,7 @@ impl Found<'_> {
             }
             None => false,
         };
-        if !hides {
-            self.unsure = self.unsure.with(ShapeSet::of(bit));
-        }
+        self.is_unsure |= !hides;
         hides
     }
 }
@@ -205,10 +201,9 @@ macro_rules! any_hides {
             let (kind, first) = (0, 0);
             $(
                 let from = light.$list();
-                if set.any(true, (kind, lengths), parts.$list, |index, shape| {
+                if set.any(W::NEEDS.sets, (kind, lengths), parts.$list, |index, shape| {
                     let is_own = found.stretch.shape == ShapeId::at(first + index);
-                    let bit = SetLayout::new(lengths).bit(kind, index);
-                    from.get(index).is_some_and(|from| found.ask((shape, bit), from, is_own))
+                    from.get(index).is_some_and(|from| found.ask(shape, from, is_own))
                 }) {
                     return true;
                 }

@@ -16,7 +16,7 @@ use crate::shape::rays::Rays;
 impl<W: World, K: Shading, Q: PathQuality> Tracer<'_, W, K, Q> {
     /// Tests whether each light surely shines on a whole stretch or on nothing of it. `steps` are proved before. Raises the
     /// number of samples to the number of pixels that show how it shines. If a light is not proved, returns how many steps
-    /// are, and leaves its suspects.
+    /// are, and leaves the suspects of a far one.
     pub(super) fn keeps_lights(
         &self,
         shown: &Shown<'_>,
@@ -101,7 +101,7 @@ impl<W: World, K: Shading, Q: PathQuality> Tracer<'_, W, K, Q> {
             };
         }
         match self.visibility.is_clear(index) {
-            true => lights_all::<W, Q>(world, (light, index), (&shown.lit, rays), suspects),
+            true => lights_all::<W, Q>(world, (light, index), &shown.lit, rays),
             false => None,
         }
     }

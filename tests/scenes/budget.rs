@@ -301,7 +301,9 @@ fn error_is_the_one_that_was_promised() {
             let mut display = SimulatorDisplay::<Rgb888>::new(size);
             // With tables, as a constant scene of a board.
             let scene = source.scene().tabled();
-            let Ok(drawn) = scene.frame(&view).draw_within(&front, budget, || false, &mut display);
+            let Ok(drawn) = scene
+                .frame(&view)
+                .draw_within(&front, budget, || false, &mut display);
             assert_eq!((drawn.choice.point, drawn.choice.fits), (*point, true));
             let bytes = display.to_be_bytes();
             let pixels = bytes.chunks_exact(3).map(|it| [it[0], it[1], it[2]]);
