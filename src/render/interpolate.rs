@@ -84,9 +84,8 @@ pub(crate) struct Colors<'s, 'a, W: World, K, Q, M = Unmarked> {
     column: u32,
     /// Column from which on colours are not known yet.
     until: u32,
-    /// Column after the picture, or with smooth edges after its last chunk. It may be traced, unless the picture is narrower
-    /// than two blocks: rays beyond it would exceed the formats.
-    edge: u32,
+    /// Last column of the picture. The last block ends there.
+    last: u32,
     /// Number of columns of a block.
     block: u32,
     /// The traced pixel after the block, and its column.
@@ -153,10 +152,7 @@ impl<'s, 'a, W: World, K: Shading, Q: Quality, M: Marks> Colors<'s, 'a, W, K, Q,
             directions,
             column,
             until: first,
-            edge: match Q::SMOOTHNESS > 1 && width >= 2 * block {
-                true => width.next_multiple_of(block).min(u16::MAX.into()),
-                false => width,
-            },
+            last: width - 1,
             block,
             end: (u32::MAX, End::NONE),
             stops: [Stops::NONE; SLOTS],
@@ -171,38 +167,39 @@ impl<'s, 'a, W: World, K: Shading, Q: Quality, M: Marks> Colors<'s, 'a, W, K, Q,
     /// `clear_until` behind the block instead.
     #[inline(never)]
     fn follow(&mut self, first: u32, sink: &mut impl Sink) {
-        let last = first + self.block;
+        let next = first + self.block;
         // With the constant, other qualities do not compile what follows.
         if !Tracer::<W, K, Q>::IS_INTERPOLATED || self.block == 1 {
             if first > self.window.last {
                 self.window = self.tracer.advance(first, first + SHORT);
             }
-            self.until = last;
-            return self.trace_each(first, last, sink);
+            self.until = next;
+            return self.trace_each(first, next, sink);
         }
-        self.window = self.tracer.advance(first, last);
+        self.window = self.tracer.advance(first, next);
         if let Some(until) = self.tracer.clear_until(&self.window) {
-            self.clear_until = (until & !(self.block - 1)).max(last);
+            self.clear_until = (until & !(self.block - 1)).max(next);
             return;
         }
-        self.until = last;
-        let is_narrow = self.edge < 2 * self.block;
-        let is_short = self.edge - first <= SHORTEST;
-        if last >= self.edge && (is_narrow || is_short) {
-            return self.trace_each(first, self.edge, sink);
-        }
-        let last = last.min(self.edge);
+        self.until = next;
+        let last = next.min(self.last);
         let start = match self.end {
             (column, end) if column == first => end,
             _ => self.trace(first, 0),
         };
+        self.set(first, start.traced, sink);
+        if last - first < SHORTEST {
+            return self.trace_each(first + 1, last + 1, sink);
+        }
         // The two ends of a block take turns.
         let end = self.trace(last, 1 - start.slot);
         self.end = (last, end);
         self.free = (1 << UNREAD) - 1 - 0b11;
         self.credit = CREDIT;
-        self.set(first, start.traced, sink);
         self.between([first, last], [&start, &end], Progress::NONE, sink);
+        if last < next {
+            self.set(last, end.traced, sink);
+        }
     }
 
     /// Traces each pixel from column `first` to the one before `end`. Nothing is interpolated.

@@ -41,10 +41,8 @@ impl Wild {
         let (width, height) = (self.size.width, self.size.height);
         let mut row = vec![Rgb888::BLACK; width as usize];
         let mut report = Report::NONE;
-        // Only this many pixels of a row may be traced: those of the picture and, with interpolation, the pixel after.
-        let is_traced = Q::IS_SMALL || Q::TOLERANCE == Unit::ZERO;
-        let beside = if is_traced { 0 } else { 1 };
-        let most = u64::from(width + beside) * (u64::from(self.reflections) + 1);
+        // Nothing beside the picture is traced.
+        let most = u64::from(width) * (u64::from(self.reflections) + 1);
         for y in 0..height {
             let of_row = picture.row(y, 0, &mut row);
             assert!(of_row.rays <= most, "{} rays, {most} at most", of_row.rays);
