@@ -10,7 +10,7 @@ use crate::number::{Length, Unit};
 use crate::ray::{Ray, ScaledPoint, shift_of};
 use crate::scene::access::ShapeId;
 use crate::scene::shape_set::{SetLayout, ShapeSet};
-use crate::shape::bordered::{Ball, Bordered, square};
+use crate::shape::bordered::{Bordered, square};
 use crate::shape::rays::{Beam, SLACK};
 use crate::vector::{Direction, Point, Vector};
 
@@ -40,6 +40,8 @@ impl<'a> Strip<'a> {
         let own = way.normalised();
         let thickness = (stretch.bulge >> shift_of(scale)) + SLACK;
         let width = own.1.to_bits().saturating_add(thickness);
+        let (first, end) = (towards[0], i32::MAX);
+        let beam = Beam { first, width, end };
         Self {
             stretch,
             towards,
@@ -48,20 +50,18 @@ impl<'a> Strip<'a> {
             own,
             seen: way.without(towards[0], way.dot(towards[0])).normalised(),
             thickness,
-            beam: (scale == 0 && width < WIDEST).then(|| Beam::parallel(towards[0], width)),
+            beam: (scale == 0 && width < 1 << 28).then_some(beam),
         }
-    }
-
-    /// Tests whether a ball surely lies outside of the beam.
-    #[inline(always)]
-    fn avoids(&self, (center, radius): Ball) -> bool {
-        let way = self.stretch.ends[0].point.to(center);
-        self.beam.is_some_and(|beam| beam.avoids_ball(way, radius))
     }
 
     /// Tests whether the capsule around a shape surely lies behind the start of the strip, or beside it.
     #[inline(never)]
     fn misses<K: Bordered>(&self, shape: &K) -> bool {
+        let ((center, radius), [first, _]) = (shape.bounding_ball(), self.stretch.ends);
+        let way = first.point.to(center);
+        if self.beam.is_some_and(|beam| beam.avoids_ball(way, radius)) {
+            return true;
+        }
         let (center, half_axis, radius) = shape.outline();
         let ([ahead, _], shift) = (self.towards, shift_of(self.scale));
         let reach = (radius >> shift) + self.thickness;
@@ -121,9 +121,6 @@ impl<'a> Strip<'a> {
     }
 }
 
-/// Largest radius of a beam in steps.
-const WIDEST: i32 = 1 << 28;
-
 /// The cosine of 20 degrees.
 const ALIKE: Unit = Unit::from_bits(1_009_000_000);
 
@@ -165,10 +162,7 @@ macro_rules! far_lights {
                 let is_hidden = suspects.any(true, (kind, lengths), parts.$list, |index, shape| {
                     // A convex surface hides no part of itself that faces the light.
                     let is_own = stretch.shape == ShapeId::at(first + index);
-                    if is_own && !stretch.is_hollow
-                        || strip.avoids(shape.bounding_ball())
-                        || strip.misses(shape)
-                    {
+                    if is_own && !stretch.is_hollow || strip.misses(shape) {
                         return false;
                     }
                     let bit = SetLayout::new(lengths).bit(kind, index);

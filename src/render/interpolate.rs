@@ -45,11 +45,12 @@ const SHORT: u32 = 8;
 /// than to trace what is left.
 const SHORTEST: u32 = 8;
 
-/// How many proofs may fail in a block before the rest of it is traced. A proof that fails takes as long as a few pixels.
+/// How many proofs are tried in a block, if none succeeds, before the rest of it is traced. A proof that fails takes as long
+/// as a few pixels.
 const CREDIT: u32 = 4;
 
-/// How many more may fail for each that succeeds.
-const EARNED: u32 = 2;
+/// How many more are tried for each that succeeds.
+const EARNED: u32 = 3;
 
 /// Number of traced pixels whose hits are stored: 0 and 1 are the ends of a block, then those of its parts; the last is
 /// [`UNREAD`].
@@ -94,7 +95,7 @@ pub(crate) struct Colors<'s, 'a, W: World, K, Q, M = Unmarked> {
     stops: [Stops; SLOTS],
     /// A bit for each slot that is free.
     free: u32,
-    /// How many proofs may still fail in the block before the rest of it is traced.
+    /// How many more proofs are tried in the block, if none of them succeeds.
     credit: u32,
     /// Column before which no path hits anything, if it is to the right of `until`.
     clear_until: u32,
@@ -126,13 +127,9 @@ impl<'s, 'a, W: World, K: Shading, Q: Quality, M: Marks> Colors<'s, 'a, W, K, Q,
         }
         // Many shapes have borders that lie close together.
         let is_dense = width / 12 < to_u32(tracer.world.parts().bounded());
-        let block = block_of(width, is_dense);
         // Smooth edges ask what the paths of a chunk met.
-        if Q::SMOOTHNESS == 1 {
-            block
-        } else {
-            block.min(CHUNK)
-        }
+        let most = [LONGEST_BLOCK, CHUNK][usize::from(Q::SMOOTHNESS > 1)];
+        block_of(width, is_dense).min(most)
     }
 
     /// Starts at `column` of a row, in a picture of `width` columns.

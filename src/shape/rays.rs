@@ -82,26 +82,17 @@ pub(crate) fn turn_between(first: Direction, last: Direction) -> Unit {
 #[derive(Clone, Copy, Debug)]
 pub struct Beam {
     /// Direction of the thick ray: that to one end of the curve.
-    first: Direction,
+    pub(crate) first: Direction,
     /// Its radius in steps.
-    width: i32,
+    pub(crate) width: i32,
     /// Where it ends: a distance from the apex in steps.
-    end: i32,
+    pub(crate) end: i32,
 }
 
 /// Largest angle between the rays of a beam, as the length of the difference of their directions: about 20 degrees.
 const WIDEST_BEAM: Unit = Unit::from_bits(3 << 27);
 
 impl Beam {
-    /// Returns the beam of parallel rays, which do not end. `width` is its radius in steps.
-    pub(crate) const fn parallel(first: Direction, width: i32) -> Self {
-        Self {
-            first,
-            width,
-            end: i32::MAX,
-        }
-    }
-
     /// Tests whether a ball surely lies outside of the beam, so that all rays miss it. `way` is the vector from the apex to
     /// the ball's centre.
     #[inline(always)]

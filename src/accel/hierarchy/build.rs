@@ -72,18 +72,13 @@ pub(in crate::accel) const fn is_useful(parts: &Parts<'_>) -> bool {
         mirroring += square * mirrors(parts, material) as u64;
         shape += 1;
     }
-    planes > 1 || 8 * mirroring >= all || has_mesh(parts) || has_sunlit_crowd(parts)
-}
-
-/// Tests whether a far light, which no table covers, shines on more than 48 bounded shapes. To ask all of fewer shapes takes
-/// less time.
-const fn has_sunlit_crowd(parts: &Parts<'_>) -> bool {
-    let (mut is_sunlit, mut index) = (false, 0);
-    while index < parts.lights.len() {
-        is_sunlit |= !parts.lights[index].place.is_near();
-        index += 1;
+    // To ask all of fewer shapes takes less time.
+    let (mut is_sunlit, mut light) = (false, 0);
+    while parts.bounded() > 48 && light < parts.lights.len() {
+        is_sunlit |= !parts.lights[light].place.is_near();
+        light += 1;
     }
-    is_sunlit && parts.bounded() > 48
+    planes > 1 || 8 * mirroring >= all || has_mesh(parts) || is_sunlit
 }
 
 /// Tests whether a scene has a mesh: more than 16 triangles. The test of a triangle takes longer than that of a ball around

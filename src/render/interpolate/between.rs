@@ -56,11 +56,9 @@ impl<W: World, K: Shading, Q: Quality, M: Marks> Colors<'_, '_, W, K, Q, M> {
         if !is_long || self.credit == 0 || !is_alike(ends) {
             return false;
         }
+        self.credit -= 1;
         let is_steady = self.tracer.is_steady(between, stops, proved);
-        self.credit = match is_steady {
-            true => self.credit + EARNED,
-            false => self.credit - 1,
-        };
+        self.credit += EARNED * u32::from(is_steady);
         is_steady
     }
 
