@@ -45,10 +45,9 @@ impl<W: World, K: Shading, Q: PathQuality> Tracer<'_, W, K, Q> {
                 {
                     return planes_meet([one, other], eye, between.1, (paths, level));
                 }
-                return match level < 2 && parts.has_bounded() {
-                    true => self.culling.border(self.world, mirror, between, shapes),
-                    false => None,
-                };
+                let is_listed = level < 2 && parts.has_bounded();
+                let culling = &mut self.culling;
+                return is_listed.then(|| culling.border(self.world, mirror, between, shapes))?;
             }
             let plane = parts.plane(one.shape)?;
             // A scene without bounded shapes links no code for their shadows.

@@ -14,13 +14,12 @@ use crate::shade::highlight::sealed::Shading;
 use crate::shape::rays::Rays;
 
 impl<W: World, K: Shading, Q: PathQuality> Tracer<'_, W, K, Q> {
-    /// Tests whether each light surely shines on a whole stretch or on nothing of it. `steps` are proved before. Raises the
-    /// number of samples to the number of pixels that show how it shines. If a light is not proved, returns how many steps
-    /// are, and leaves the suspects of a far one.
+    /// Tests whether each light surely shines on a whole stretch or on nothing of it. Raises the number of samples
+    /// to the number of pixels that show how it shines. If a light is not proved, returns how many steps are, and leaves
+    /// the suspects of a far one.
     pub(super) fn keeps_lights(
         &self,
         shown: &Shown<'_>,
-        steps: usize,
         proved: &mut Progress,
     ) -> Result<(), usize> {
         let material = shown.material;
@@ -29,7 +28,7 @@ impl<W: World, K: Shading, Q: PathQuality> Tracer<'_, W, K, Q> {
             return Ok(());
         }
         let lights = self.world.tables().light_occluders;
-        for (index, light) in lights.iter().enumerate().skip(steps - 1) {
+        for (index, light) in lights.iter().enumerate().skip(proved.steps.max(1) - 1) {
             if self.visibility.is_hidden(index) {
                 continue;
             }
@@ -95,14 +94,10 @@ impl<W: World, K: Shading, Q: PathQuality> Tracer<'_, W, K, Q> {
         let lamp = light.light();
         if W::NEEDS.far_lights && !lamp.place.is_near() {
             let towards = rays.ends.map(|end| lamp.sun().unwrap_or(end.reversed()));
-            return match self.visibility.is_open(index) {
-                true => far_lights_all(world, &shown.lit, towards, suspects),
-                false => None,
-            };
+            let is_open = self.visibility.is_open(index);
+            return is_open.then(|| far_lights_all(world, &shown.lit, towards, suspects))?;
         }
-        match self.visibility.is_clear(index) {
-            true => lights_all::<W, Q>(world, (light, index), &shown.lit, rays),
-            false => None,
-        }
+        let is_clear = self.visibility.is_clear(index);
+        is_clear.then(|| lights_all::<W, Q>(world, (light, index), &shown.lit, rays))?
     }
 }

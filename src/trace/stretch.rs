@@ -32,7 +32,7 @@ pub(crate) struct Progress {
     /// Number of hits that are proved.
     hits: usize,
     /// Of the next hit, 0 if nothing is proved, else 1 + the number of lights.
-    steps: usize,
+    pub(super) steps: usize,
     /// The shapes that may hide some points of the next hit from its next light, if that is far.
     pub(super) suspects: ShapeSet,
     /// Number of pixels that show how the colours of the proved hits change.
@@ -80,18 +80,11 @@ impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
                 return false;
             }
             if origin.level == proved.hits {
-                let steps = self.keeps_shape(between, &origin, [first, last], proved);
-                *proved = match steps {
-                    Ok(()) => Progress {
-                        hits: proved.hits + 1,
-                        steps: 0,
-                        ..*proved
-                    },
-                    Err(steps) => Progress { steps, ..*proved },
-                };
-                if steps.is_err() {
+                if let Err(steps) = self.keeps_shape(between, &origin, [first, last], proved) {
+                    proved.steps = steps;
                     return false;
                 }
+                (proved.hits, proved.steps) = (proved.hits + 1, 0);
             }
             let plane = parts.plane(first.shape);
             let Some(plane) = plane.filter(|plane| self.mirrors(plane)) else {
@@ -143,7 +136,7 @@ impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
                 false => self.keeps_front(between, origin, (stops, &shown), proved),
             };
         sure(keeps, 0)?;
-        self.keeps_lights(&shown, steps.max(1), proved)
+        self.keeps_lights(&shown, proved)
     }
 
     /// Tests whether all rays between two that hit nothing hit nothing, and show a sky that can be interpolated.
