@@ -240,10 +240,8 @@ pub(crate) fn light_set<W: World, Q: CullingQuality>(
 /// Returns the table of a light, if it has one and `Q` uses tables.
 #[inline(always)]
 fn table_of<W: World, Q: CullingQuality>(world: &W, light: usize) -> Option<&LightTable> {
-    match W::NEEDS.sets && Q::CULLING.light_tables && world.parts().bounded() > FEW {
-        true => world.tables().light_tables.get(light),
-        false => None,
-    }
+    let is_used = W::NEEDS.sets && Q::CULLING.light_tables && world.parts().bounded() > FEW;
+    is_used.then(|| world.tables().light_tables.get(light))?
 }
 
 #[cfg(test)]

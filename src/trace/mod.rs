@@ -150,10 +150,7 @@ impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
     /// window are. Returns `None` if that is not known.
     #[inline(always)]
     pub(crate) fn clear_until(&self, window: &Window) -> Option<u32> {
-        match self.has_sky() {
-            true => None,
-            false => self.culling.clear_until(self.world, window),
-        }
+        (!self.has_sky()).then(|| self.culling.clear_until(self.world, window))?
     }
 
     /// Tests whether rays that hit nothing show different colours.

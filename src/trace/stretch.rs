@@ -75,8 +75,7 @@ impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
         };
         let [start, end] = ends.map(Stops::all);
         for (first, last) in start.iter().zip(end) {
-            let is_one = first.shape == last.shape && first.is_inside == last.is_inside;
-            if !is_one {
+            if first.shape != last.shape || first.is_inside != last.is_inside {
                 return false;
             }
             if origin.level == proved.hits {
