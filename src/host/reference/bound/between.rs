@@ -17,16 +17,14 @@ const SHORTEST: usize = 8;
 /// whether rounding may decide what the paths around meet.
 pub(super) fn error(row: &[&Stage], x: usize, block: usize, tolerance: f64) -> (f64, bool) {
     let start = x - x % block.max(1);
-    // The start of a block is traced. Beyond the row, all is traced.
-    if start == x || start + block >= row.len() {
+    let end = (start + block).min(row.len() - 1);
+    // Both ends of a block are traced.
+    if start == x || end <= x {
         return (0.0, false);
     }
     let is_alike = |at: &usize| row[*at].is_unsure || row[*at].trail == row[x].trail;
     let first = (start..x).rev().take_while(is_alike).last().unwrap_or(x);
-    let last = (x + 1..=start + block)
-        .take_while(is_alike)
-        .last()
-        .unwrap_or(x);
+    let last = (x + 1..=end).take_while(is_alike).last().unwrap_or(x);
     if first == x || last == x {
         return (0.0, false);
     }

@@ -45,7 +45,6 @@ pub use self::path::{Followed, Precision, Stage};
 use super::model::{Vector, View, quantised};
 use super::prepared::{self, Prepared};
 use super::{Camera, Picture, Scene, Shading};
-use crate::accel::LONGEST_BLOCK;
 use crate::render::block_of;
 
 /// The paths of all pixels of a picture, followed in double precision.
@@ -85,7 +84,7 @@ use crate::render::block_of;
 pub struct Paths {
     width: u32,
     height: u32,
-    /// The paths, row by row. Each row has [`MARGIN`] more columns to the right of the picture.
+    /// The paths, row by row.
     paths: Vec<Followed>,
     brightest: f64,
     dimness: f64,
@@ -134,9 +133,6 @@ impl Bound {
     }
 }
 
-/// Number of columns to the right of a picture that fixed point may trace for interpolation.
-const MARGIN: u32 = LONGEST_BLOCK + 1;
-
 /// Distance from a pixel's ray at which four rays beside it must take the same path, in pixels; else the
 /// pixel is unsure.
 const BESIDE: f64 = 1.0 / 32.0;
@@ -166,10 +162,9 @@ impl Paths {
             let ray = view.ray_through(x, y);
             path::follow(&prepared.scene(), ray, reflections, shading, precision)
         };
-        let columns = width + MARGIN;
         let pixel = |index: u32| {
             let at = |index: u32| f64::from(index) + 0.5;
-            let (x, y) = (at(index % columns), at(index / columns));
+            let (x, y) = (at(index % width), at(index / width));
             let mut own = follow(x, y);
             for (right, down) in [(aside, 0.0), (-aside, 0.0), (0.0, aside), (0.0, -aside)] {
                 own.doubt(&follow(x + right, y + down));
@@ -179,7 +174,7 @@ impl Paths {
         Self {
             width,
             height,
-            paths: (0..columns * height).into_par_iter().map(pixel).collect(),
+            paths: (0..width * height).into_par_iter().map(pixel).collect(),
             brightest: brightest(scene),
             dimness: precision.dimness,
         }
@@ -187,12 +182,7 @@ impl Paths {
 
     /// Returns the path of the pixel in column `x` and row `y`.
     pub fn path(&self, x: u32, y: u32) -> &Followed {
-        &self.paths[(y * (self.width + MARGIN) + x) as usize]
-    }
-
-    /// Returns the paths row by row, including the columns to the right of the picture.
-    fn rows(&self) -> impl Iterator<Item = &[Followed]> {
-        self.paths.chunks((self.width + MARGIN) as usize)
+        &self.paths[(y * self.width + x) as usize]
     }
 
     /// Returns max |c|: an upper bound of the components of all colours of surfaces and of the
@@ -204,12 +194,11 @@ impl Paths {
     /// Returns the picture in double precision whose paths end as `ending` says.
     pub fn picture(&self, ending: &Ending) -> Picture {
         let Self { width, height, .. } = *self;
-        let paths = self.rows().flat_map(|row| &row[..width as usize]);
         let color = |path| quantised(Vector(self.ended(path, ending).color));
         Picture {
             width,
             height,
-            pixels: paths.map(color).collect(),
+            pixels: self.paths.iter().map(color).collect(),
         }
     }
 
@@ -220,7 +209,8 @@ impl Paths {
             let bound = |x: u32| self.bound(&stages, x as usize, ending);
             (0..self.width).map(bound).collect::<Vec<_>>()
         };
-        self.rows().flat_map(row).collect()
+        let rows = self.paths.chunks(self.width as usize);
+        rows.flat_map(row).collect()
     }
 
     fn ended<'a>(&self, path: &'a Followed, ending: &Ending) -> &'a Stage {
