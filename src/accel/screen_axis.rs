@@ -2,7 +2,6 @@
 //! so the problem is two-dimensional: the shape lies between its two tangents. Rows are treated in the
 //! same way. All bounds are widened by more than the rounding error.
 
-use super::LONGEST_BLOCK;
 use crate::number::{signed, square_root, unsigned_wide};
 use crate::ray::ScreenAxis;
 use crate::vector::Vector;
@@ -91,10 +90,8 @@ impl ScreenAxis {
         }
     }
 
-    /// Returns a range that cuts the picture or the columns that are traced to the right of it, else
-    /// `None`.
+    /// Returns a range that cuts the picture or the column to the right of it, where smooth edges have corners, else `None`.
     fn visible(&self, columns: Columns) -> Option<Columns> {
-        let end = signed(self.width + LONGEST_BLOCK);
-        (columns.last >= 0 && columns.first < end).then_some(columns)
+        (columns.last >= 0 && columns.first <= signed(self.width)).then_some(columns)
     }
 }
