@@ -128,7 +128,10 @@ impl<'s, 'a, W: World, K: Shading, Q: Quality, M: Marks> Colors<'s, 'a, W, K, Q,
         // Many shapes have borders that lie close together.
         let is_dense = width / 12 < to_u32(tracer.world.parts().bounded());
         // Smooth edges ask what the paths of a chunk met.
-        let most = [LONGEST_BLOCK, CHUNK][usize::from(Q::SMOOTHNESS > 1)];
+        let most = match Q::SMOOTHNESS {
+            1 => LONGEST_BLOCK,
+            _ => CHUNK,
+        };
         block_of(width, is_dense).min(most)
     }
 
