@@ -115,11 +115,11 @@
 //!
 //! | profile | castle flash | castle instr/pixel | corner1 flash | corner1 instr/pixel |
 //! |---|--:|--:|--:|--:|
-//! | lto = true, codegen-units = 1 | 52680 | 1365 | 14832 | 214 |
-//! | Cargo's default release | 70232 | 1446 | 20020 | 250 |
-//! | lto = true, codegen-units = 1, opt-level = "s" | 51936 | 2390 | 16280 | 282 |
-//! | lto = true, codegen-units = 1, opt-level = "z" | 48484 | 3803 | 16532 | 463 |
-//! | Cargo's default dev (debug) | 560152 | 39191 | 515712 | 6183 |
+//! | lto = true, codegen-units = 1 | 52572 | 1361 | 14948 | 214 |
+//! | Cargo's default release | 69692 | 1442 | 20180 | 250 |
+//! | lto = true, codegen-units = 1, opt-level = "s" | 51896 | 2386 | 16404 | 280 |
+//! | lto = true, codegen-units = 1, opt-level = "z" | 48364 | 3792 | 16636 | 464 |
+//! | Cargo's default dev (debug) | 576080 | 39581 | 529792 | 6149 |
 //!
 //! Every profile draws the same picture. If flash is scarce, the quality [`Small`](quality::Small) saves
 //! more than an `opt-level`.

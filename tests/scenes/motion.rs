@@ -192,35 +192,29 @@ trait Moving: Drawable {
     fn take(&mut self, handles: &Handles, moved: Move) -> Result<(), Error>;
 }
 
-impl Moving for FileScene {
-    fn take(&mut self, handles: &Handles, moved: Move) -> Result<(), Error> {
-        match moved {
-            Sphere(it, center, radius) => self.set_sphere(handles.spheres[it], center, radius),
-            Cylinder(it, center, axis, radius, height) => {
-                self.set_cylinder(handles.cylinders[it], center, axis, radius, height)
+macro_rules! moving {
+    ($scene:ty, $set_light:expr) => {
+        impl Moving for $scene {
+            fn take(&mut self, handles: &Handles, moved: Move) -> Result<(), Error> {
+                match moved {
+                    Sphere(it, center, radius) => {
+                        self.set_sphere(handles.spheres[it], center, radius)
+                    }
+                    Cylinder(it, center, axis, radius, height) => {
+                        self.set_cylinder(handles.cylinders[it], center, axis, radius, height)
+                    }
+                    Disc(it, center, normal, radius) => {
+                        self.set_disc(handles.discs[it], center, normal, radius)
+                    }
+                    Light(it, position) => $set_light(self, handles.lights[it], position),
+                }
             }
-            Disc(it, center, normal, radius) => {
-                self.set_disc(handles.discs[it], center, normal, radius)
-            }
-            Light(it, position) => self.set_light(handles.lights[it], position),
         }
-    }
+    };
 }
-
-impl Moving for MovingScene<Tower> {
-    fn take(&mut self, handles: &Handles, moved: Move) -> Result<(), Error> {
-        match moved {
-            Sphere(it, center, radius) => self.set_sphere(handles.spheres[it], center, radius),
-            Cylinder(it, center, axis, radius, height) => {
-                self.set_cylinder(handles.cylinders[it], center, axis, radius, height)
-            }
-            Disc(it, center, normal, radius) => {
-                self.set_disc(handles.discs[it], center, normal, radius)
-            }
-            Light(..) => panic!("lights of a constant scene do not move"),
-        }
-    }
-}
+moving!(FileScene, FileScene::set_light);
+// It has no lights that move.
+moving!(MovingScene<Tower>, |_: &mut _, _, _| unreachable!());
 
 /// Draws a scene in the qualities `Fast` and `Exact`.
 fn pictures<S: Drawable>(scene: &S, camera: &Camera) -> [Picture; 2] {

@@ -40,7 +40,7 @@ pub fn build() -> Result<PathBuf> {
 pub fn build_example(name: &str) -> Result<PathBuf> {
     enter_root()?;
     let example = ["--package", "reflet", "--example", name];
-    toolchain::build_in("firmware", TARGET, &example)
+    toolchain::built(toolchain::cargo_build("firmware", TARGET)?.args(example))
 }
 
 fn machine() -> Qemu {

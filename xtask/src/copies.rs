@@ -183,7 +183,10 @@ fn build_changed(
     let copy = place.path().join(name);
     copy_example(&root().join(example.folder()), &copy)?;
     change(&copy)?;
-    let built = toolchain::build_there(example.target, &copy, arguments)?;
+    let folder = toolchain::directory_for(example.target);
+    let cargo = toolchain::cargo_build("release", example.target)?.in_folder(&copy);
+    let cargo = cargo.args(["--target-dir".as_ref(), folder.as_os_str()]);
+    let built = toolchain::built(cargo.args(arguments))?;
     Ok(built.with_file_name(program))
 }
 

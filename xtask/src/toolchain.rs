@@ -188,21 +188,9 @@ pub fn directory_for(target: &str) -> PathBuf {
     }
 }
 
-/// Builds one program of the workspace in a profile and returns its path. `arguments` are the
-/// arguments of `cargo build` that name the program. Uses cargo's configuration of the current folder.
-pub fn build_in(profile: &str, target: &str, arguments: &[&str]) -> Result<PathBuf> {
-    built(cargo_build(profile, target)?.args(arguments))
-}
-
-/// Builds the package in a folder outside of the repository, with that folder's own configuration. Returns the path
-/// of one of its programs.
-pub fn build_there(target: &str, folder: &Path, arguments: &[&str]) -> Result<PathBuf> {
-    let place = directory_for(target);
-    let cargo = cargo_build("release", target)?.args(["--target-dir".as_ref(), place.as_os_str()]);
-    built(cargo.args(arguments).in_folder(folder))
-}
-
-fn cargo_build(profile: &str, target: &str) -> Result<Program> {
+/// Returns a call of cargo that builds in a profile. Arguments that name the program are to be added. Uses cargo's
+/// configuration of its folder.
+pub fn cargo_build(profile: &str, target: &str) -> Result<Program> {
     Ok(BareMetal::get()?
         .cargo("build", &[target])
         .args(["--profile", profile, "--locked"])
@@ -211,7 +199,7 @@ fn cargo_build(profile: &str, target: &str) -> Result<Program> {
 }
 
 /// Runs cargo and returns the path of the program, from cargo's messages.
-fn built(cargo: Program) -> Result<PathBuf> {
+pub fn built(cargo: Program) -> Result<PathBuf> {
     let messages = messages(cargo)?;
     let programs = messages.iter().filter_map(|it| it["executable"].as_str());
     let mut programs = programs.map(PathBuf::from);

@@ -175,9 +175,8 @@ fn ball_with_a_highlight_is_interpolated_around_its_middle() {
 fn nothing_is_traced_beside_a_picture() {
     // A mirror that fills the view: each pixel is traced.
     let mut scene = Few::new();
-    let mirror = Material::from_numbers([0; 3], 0, 0, (0, 0), 1).unwrap();
-    let mirror = scene.add_material(mirror).unwrap();
-    scene.add_sphere([0, 10, 0], 9, mirror).unwrap();
+    let mirror = scene.add_material(Material::from_numbers([0; 3], 0, 0, (0, 0), 1).unwrap());
+    scene.add_sphere([0, 10, 0], 9, mirror.unwrap()).unwrap();
     for width in 30..200 {
         let (_, rays) = drawn::<Fast>(&scene, &ahead(0.0, 60.0), Size::new(width, 1));
         assert_eq!(rays, u64::from(2 * width), "{width}");
