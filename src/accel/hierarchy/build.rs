@@ -55,9 +55,8 @@ impl<'a> Hierarchy<'a> {
     }
 }
 
-/// Tests whether a constant scene gains by a hierarchy: so many rays leave mirrors, or it has a mesh, or a crowd under a far
-/// light. Many rays leave mirrors if at least two planes mirror, or at least an eighth of the shapes, each counted as the
-/// square of its ball's radius.
+/// Tests whether a constant scene gains by a hierarchy: it has a mesh, a crowd under a far light, at least two planes that
+/// mirror, or an eighth of its shapes mirror, each counted as the square of its ball's radius.
 pub(in crate::accel) const fn is_useful(parts: &Parts<'_>) -> bool {
     let (mut planes, mut index) = (0, 0);
     while index < parts.planes.len() {
