@@ -28,7 +28,8 @@ struct Strip<'a> {
     seen: (Direction, Length),
     /// Upper bound of the distance of a ray from the strip, in steps of 2^`scale`.
     thickness: i32,
-    /// The beam that holds all rays, around that from the first end. `None` if the stretch is far.
+    /// The beam that holds all rays, around that from the first end: none is further from it than the stretch is long.
+    /// `None` if the stretch is far, or longer than [`WIDEST`].
     beam: Option<Beam>,
 }
 
@@ -39,9 +40,11 @@ impl<'a> Strip<'a> {
         let (way, scale) = first.to(last);
         let own = way.normalised();
         let thickness = (stretch.bulge >> shift_of(scale)) + SLACK;
-        let width = own.1.to_bits().saturating_add(thickness);
-        let (first, end) = (towards[0], i32::MAX);
-        let beam = Beam { first, width, end };
+        let beam = Beam {
+            first: towards[0],
+            width: own.1.to_bits().saturating_add(thickness),
+            end: i32::MAX,
+        };
         Self {
             stretch,
             towards,
@@ -50,15 +53,15 @@ impl<'a> Strip<'a> {
             own,
             seen: way.without(towards[0], way.dot(towards[0])).normalised(),
             thickness,
-            beam: (scale == 0 && width < 1 << 28).then_some(beam),
+            beam: (scale == 0 && beam.width < WIDEST).then_some(beam),
         }
     }
 
     /// Tests whether the capsule around a shape surely lies behind the start of the strip, or beside it.
     #[inline(never)]
     fn misses<K: Bordered>(&self, shape: &K) -> bool {
-        let ((center, radius), [first, _]) = (shape.bounding_ball(), self.stretch.ends);
-        let way = first.point.to(center);
+        let (center, radius) = shape.bounding_ball();
+        let way = self.stretch.ends[0].point.to(center);
         if self.beam.is_some_and(|beam| beam.avoids_ball(way, radius)) {
             return true;
         }
@@ -121,6 +124,9 @@ impl<'a> Strip<'a> {
     }
 }
 
+/// Largest radius of a beam, in steps: with that of a shape, its square fits 62 bits.
+const WIDEST: i32 = 1 << 28;
+
 /// The cosine of 20 degrees.
 const ALIKE: Unit = Unit::from_bits(1_009_000_000);
 
@@ -145,8 +151,10 @@ macro_rules! far_lights {
         $({ $list:ident $($more:tt)* })*
     ) => {
         /// Returns whether a far light that no plane hides shines on all points of a stretch, or on none; `None` if that
-        /// is not sure. The stretch faces it. `towards` are the directions from its ends to the light. Only `suspects` may
-        /// hide points of the stretch. If it is not sure, those are left of them that may hide some points.
+        /// is not sure. The stretch faces it. `towards` are the directions from its ends to the light.
+        ///
+        /// `suspects` holds all shapes that may hide a point of the stretch from the light. If the answer is not sure,
+        /// those are removed of which it was proved that they hide none.
         #[inline(never)]
         pub(crate) fn far_lights_all<W: World>(
             world: &W,

@@ -157,8 +157,7 @@ impl<R: Capacity> Scene<R> {
     /// A table takes 1 KB for each light that the room allows, in the memory of the returned value.
     /// Shadows of many shapes then take less time. Pixels that are traced stay the same, to the bit.
     /// [`Fast`](crate::quality::Fast) may interpolate more pixels, a few of which then differ by one level.
-    /// If the scene has three bounded shapes or fewer, tables are not used: each shadow ray tests all
-    /// shapes.
+    /// A scene of three bounded shapes or fewer does not use its tables: each shadow ray tests all shapes.
     ///
     /// ```
     /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Rgb888};

@@ -83,8 +83,8 @@ impl<'a, W: World> ScreenCulling<'a, W> {
     /// one. Returns `None` if one may hit a shape, or if the scene has planes.
     #[inline(always)]
     pub(crate) fn clear_until(&self, world: &W, window: &Window) -> Option<u32> {
-        let has_planes = !world.parts().planes.is_empty();
-        (!has_planes).then(|| self.direct.clear_until::<W>(window))?
+        let is_open = world.parts().planes.is_empty();
+        is_open.then(|| self.direct.clear_until::<W>(window))?
     }
 
     /// Returns the nearest bounded shape that a ray of the camera hits. The ray goes through a column

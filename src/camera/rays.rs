@@ -180,8 +180,8 @@ impl RowDirections {
     /// Returns the direction of the ray through the pixel of a column, which is below 2¹⁶.
     #[inline(always)]
     pub(crate) fn of(&self, column: u32) -> Direction {
-        // The vector to a pixel is below 2⁶¹ (`Camera::generator`). The vector to a column beyond the
-        // picture, by at most half the picture's width, is below 2⁶². So the sum does not wrap.
+        // The vector to a pixel is below 2⁶¹ (`Camera::generator`), and that to the column after the picture, where smooth
+        // edges have corners, below 2⁶². So the sum does not wrap.
         self.towards(self.aside(column))
     }
 

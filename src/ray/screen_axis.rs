@@ -52,8 +52,8 @@ impl ScreenAxis {
         [middle - spread, middle + spread]
     }
 
-    /// Tests whether a tangent of `numerator` / `denominator` and its negative are beside the columns that
-    /// may be traced. The denominator is above 0.
+    /// Tests whether a tangent of `numerator` / `denominator` and its negative are surely beside the picture. The
+    /// denominator is above 0.
     pub(crate) fn is_beside(&self, numerator: i64, denominator: i64) -> bool {
         let [beyond, _] = self.sixteenths(numerator, 0, self.columns_for_each(denominator));
         beyond > signed(32 * self.width)
@@ -80,8 +80,8 @@ impl ScreenAxis {
 /// The furthest that a column counts from the middle of a picture, in sixteenths.
 const FURTHEST: i32 = 1 << 23;
 
-/// Returns `size` · `scale` half pixels in sixteenths of a column, rounded down, but at most twice [`FURTHEST`]. `size` has
-/// at least `zeros` leading zeros.
+/// Converts a length to sixteenths of a column, rounded down, but at most to twice [`FURTHEST`]. The length is
+/// `size` · `scale`, in half pixels. `size` has at least `zeros` leading zeros.
 #[inline(always)]
 fn in_sixteenths(size: u64, zeros: u32, scale: Quotient) -> i32 {
     let product = high_unsigned(narrowed_unsigned(size << zeros >> 32), scale.mantissa);

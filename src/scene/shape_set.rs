@@ -2,7 +2,7 @@
 //! shapes; `accel` makes the others.
 //!
 //! If a scene has more shapes than bits, a bit stands for a run of consecutive shapes. A set may hold
-//! more shapes than a ray can hit, never fewer. So sets change the work, not what a ray shows.
+//! more shapes than a ray can hit, never fewer. So a set changes how long a ray takes, not what it shows.
 
 use super::access::KINDS;
 use crate::number::{low_word, to_u32};

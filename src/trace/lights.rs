@@ -14,9 +14,9 @@ use crate::shade::highlight::sealed::Shading;
 use crate::shape::rays::Rays;
 
 impl<W: World, K: Shading, Q: PathQuality> Tracer<'_, W, K, Q> {
-    /// Tests whether each light surely shines on a whole stretch or on nothing of it. Raises the number of samples
-    /// to the number of pixels that show how it shines. If a light is not proved, returns how many steps are, and leaves
-    /// the suspects of a far one.
+    /// Tests whether each light surely shines on a whole stretch or on nothing of it. Raises `proved.samples`
+    /// to the number of pixels that show how it shines. If a light is not proved, returns how many steps are; if that
+    /// light is far, `proved.suspects` are the shapes that may hide it.
     pub(super) fn keeps_lights(
         &self,
         shown: &Shown<'_>,
@@ -28,7 +28,8 @@ impl<W: World, K: Shading, Q: PathQuality> Tracer<'_, W, K, Q> {
             return Ok(());
         }
         let lights = self.world.tables().light_occluders;
-        for (index, light) in lights.iter().enumerate().skip(proved.steps.max(1) - 1) {
+        let first = proved.steps.saturating_sub(1);
+        for (index, light) in lights.iter().enumerate().skip(first) {
             if self.visibility.is_hidden(index) {
                 continue;
             }

@@ -33,7 +33,7 @@ pub(crate) struct Progress {
     hits: usize,
     /// Of the next hit, 0 if nothing is proved, else 1 + the number of lights.
     pub(super) steps: usize,
-    /// The shapes that may hide some points of the next hit from its next light, if that is far.
+    /// The shapes that may hide points of the next hit from its next light, if that light is far.
     pub(super) suspects: ShapeSet,
     /// Number of pixels that show how the colours of the proved hits change.
     pub(crate) samples: Samples,

@@ -188,8 +188,8 @@ pub fn directory_for(target: &str) -> PathBuf {
     }
 }
 
-/// Returns a call of cargo that builds in a profile. Arguments that name the program are to be added. Uses cargo's
-/// configuration of its folder.
+/// Returns a call of cargo that builds for a target in a profile. The caller adds the arguments that name the program, and
+/// runs it by [`built`]. It uses cargo's configuration of the folder in which it runs.
 pub fn cargo_build(profile: &str, target: &str) -> Result<Program> {
     Ok(BareMetal::get()?
         .cargo("build", &[target])

@@ -55,8 +55,8 @@ impl<'a> Hierarchy<'a> {
     }
 }
 
-/// Tests whether a constant scene gains by a hierarchy: it has a mesh, a crowd under a far light, at least two planes that
-/// mirror, or an eighth of its shapes mirror, each counted as the square of its ball's radius.
+/// Tests whether a constant scene gains by a hierarchy: it has a mesh, a crowd under a far light, or at least two planes that
+/// mirror; or at least an eighth of its shapes mirror, each counted as the square of its ball's radius.
 pub(in crate::accel) const fn is_useful(parts: &Parts<'_>) -> bool {
     let (mut planes, mut index) = (0, 0);
     while index < parts.planes.len() {
@@ -71,14 +71,12 @@ pub(in crate::accel) const fn is_useful(parts: &Parts<'_>) -> bool {
         mirroring += square * mirrors(parts, material) as u64;
         shape += 1;
     }
-    // To ask all of fewer shapes takes less time.
-    let (mut is_sunlit, mut light) = (false, 0);
-    while parts.bounded() > 48 && light < parts.lights.len() {
-        is_sunlit |= !parts.lights[light].place.is_near();
-        light += 1;
-    }
-    planes > 1 || 8 * mirroring >= all || has_mesh(parts) || is_sunlit
+    let is_sunlit_crowd = parts.bounded() > SUNLIT && parts.needs().far_lights;
+    planes > 1 || 8 * mirroring >= all || has_mesh(parts) || is_sunlit_crowd
 }
+
+/// Largest number of bounded shapes of which a shadow ray to a far light asks all in less time than a hierarchy.
+const SUNLIT: usize = 48;
 
 /// Tests whether a scene has a mesh: more than 16 triangles. The test of a triangle takes longer than that of a ball around
 /// several, and a light's table names many that lie close together.

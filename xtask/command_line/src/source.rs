@@ -129,12 +129,13 @@ impl Source {
         exact(&self.exact.1).expect("the scene was built with this camera")
     }
 
-    /// Draws the scene through its own camera.
+    /// Draws the scene through its own camera, with tables as a board does.
     pub fn painted<Q: Quality, K: Shading>(&self, size: Size, reflections: u8) -> Picture {
         let camera = self.camera();
-        let frame = self.scene.frame(&camera).reflections(reflections);
+        let scene = self.scene.tabled();
+        let frame = scene.frame(&camera).reflections(reflections);
         let frame = frame.quality::<Q>().shading::<K>().prepare(size);
-        painted(&frame.on(&*self.scene).expect("the scene never changes"))
+        painted(&frame.on(&scene).expect("the scene never changes"))
     }
 
     /// Returns the scene and its camera in double precision.

@@ -45,8 +45,8 @@ impl Point {
 /// Smallest gain in decibels from one point of a front to the next.
 const GAIN: f64 = 0.25;
 
-/// Finds the front and sets `is_on_front`: in the order of the cost, each point that is better than all
-/// before by the gain. Of points that cost the same in whole instructions, the best.
+/// Finds the front and sets `is_on_front`: in the order of the cost, each point whose error is less than that of all
+/// cheaper ones by [`GAIN`]. Of points that cost the same number of whole instructions, only the best is on the front.
 pub fn mark_front(points: &mut [Point]) {
     let mut order: Vec<usize> = (0..points.len()).collect();
     order.sort_by(|&a, &b| {
