@@ -167,15 +167,13 @@ impl<'s, 'a, W: World, K: Shading, Q: Quality, M: Marks> Colors<'s, 'a, W, K, Q,
     /// `clear_until` behind the block instead.
     #[inline(never)]
     fn follow(&mut self, first: u32, sink: &mut impl Sink) {
-        let next = first + self.block;
         // With the constant, other qualities do not compile what follows.
         if !Tracer::<W, K, Q>::IS_INTERPOLATED || self.block == 1 {
-            if first > self.window.last {
-                self.window = self.tracer.advance(first, first + SHORT);
-            }
-            self.until = next;
-            return self.trace_each(first, next, sink);
+            self.window = self.tracer.advance(first, first + SHORT);
+            self.until = (first + SHORT).min(self.last + 1);
+            return self.trace_each(first, self.until, sink);
         }
+        let next = first + self.block;
         self.window = self.tracer.advance(first, next);
         if let Some(until) = self.tracer.clear_until(&self.window) {
             self.clear_until = (until & !(self.block - 1)).max(next);

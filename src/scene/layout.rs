@@ -23,6 +23,11 @@ const FINE_EPSILON: u32 = 6;
 /// the distance of the nearest plane instead of the radius.
 const COMPANIONS: u128 = 32;
 
+/// Number of bits that the smallest radius or half height keeps when the ball is enlarged for a camera further out than
+/// [`COMPANIONS`]. They are fewer than [`FINE`]: nothing is known between two pixels of a far camera, so it costs more time
+/// than these bits are worth.
+const FINE_AFAR: u32 = 12;
+
 /// Factor by which the ball of a scene with planes is larger than the shapes need: 8, so 3 bits. Most
 /// visible parts of the planes are then near. Small shapes and epsilon keep the bits they need.
 const EXPANSE: u128 = 8;
@@ -103,7 +108,7 @@ pub(super) const fn choose_grid(scene: &Description<'_>) -> Result<Grid, ErrorKi
     } else {
         (nearest_plane(middle, scene.planes), EXPANSE_OF_PLANES)
     };
-    let room = room_of(scene);
+    let room = room_of(scene, FINE);
     let furthest = smaller(COMPANIONS * shapes, larger(shapes, room));
     let mut radius = with_companions(scene, middle, shapes, furthest);
     if radius == 0 {
@@ -117,6 +122,8 @@ pub(super) const fn choose_grid(scene: &Description<'_>) -> Result<Grid, ErrorKi
     if !scene.planes.is_empty() {
         radius = larger(radius, smaller(radius * expanse, room));
     }
+    let away = camera_distance(middle, scene);
+    radius = accompanied(radius, larger(shapes, room_of(scene, FINE_AFAR)), away);
     if radius < 1 << 34 {
         Err(ErrorKind::Extent)
     } else {
@@ -170,10 +177,7 @@ const fn with_companions(
         }
         index += 1;
     }
-    if let Some(camera) = scene.camera {
-        let away = distance(middle, camera.description().position);
-        radius = accompanied(radius, furthest, away);
-    }
+    radius = accompanied(radius, furthest, camera_distance(middle, scene));
     index = 0;
     while index < scene.planes.len() {
         let away = distance_to_plane(middle, &scene.planes[index]);
@@ -183,14 +187,22 @@ const fn with_companions(
     radius
 }
 
+/// Returns the distance of the camera from `middle`, 0 if none is given.
+const fn camera_distance(middle: Position, scene: &Description<'_>) -> u128 {
+    match scene.camera {
+        Some(camera) => distance(middle, camera.description().position),
+        None => 0,
+    }
+}
+
 /// Returns the radius of the largest ball in which the smallest shape and epsilon have at least
-/// 2^[`FINE`] and 2^[`FINE_EPSILON`] steps.
-const fn room_of(scene: &Description<'_>) -> u128 {
+/// 2^`fine` and 2^[`FINE_EPSILON`] steps.
+const fn room_of(scene: &Description<'_>, fine: u32) -> u128 {
     let mut room = unsigned_128(scene.epsilon.to_bits()) << (28 - FINE_EPSILON);
     let mut index = 0;
     while let Some(extent) = scene.extent(index) {
         let size = unsigned_128(extent.smallest.to_bits());
-        room = smaller(room, size << (28 - FINE));
+        room = smaller(room, size << (28 - fine));
         index += 1;
     }
     room

@@ -1,4 +1,5 @@
 use super::*;
+use crate::camera::Camera;
 use crate::material::Material;
 use crate::number::sweep::Sweep;
 use crate::ray::BALL;
@@ -98,6 +99,30 @@ fn light_near_the_shapes_is_given_its_place_in_the_ball() {
         let prepared = scene.plain().unwrap();
         assert_eq!(prepared.lights[0].place.is_near(), is_near, "{x}");
         assert_eq!(fraction_bits(&scene), bits, "{x}");
+    }
+}
+
+#[test]
+fn camera_is_near_if_small_shapes_and_epsilon_keep_their_bits() {
+    // Epsilon is a thousandth of the radius and keeps 6 bits, so the camera is near up to 4194 radii. A small sphere keeps
+    // 12 bits.
+    for (away, small, is_near, bits) in [
+        (31.0, 1.0, true, 23),
+        (33.0, 1.0, true, 22),
+        (4000.0, 1.0, true, 16),
+        (4200.0, 1.0, false, 28),
+        (60.0, 0.001, true, 22),
+        (70.0, 0.001, false, 28),
+    ] {
+        let scene = marble(|scene, white| {
+            scene.add_sphere([0, 0, 0], small, white).unwrap();
+            let camera = Camera::new([away, 0.0, 0.0], [0, 0, 0], [0, 0, 1], 1).unwrap();
+            scene.set_camera(camera);
+        });
+        let grid = scene.plain().unwrap().grid;
+        let position = Position::from([away, 0.0, 0.0]);
+        assert_eq!(grid.place(position).is_near(), is_near, "{away}");
+        assert_eq!(fraction_bits(&scene), bits, "{away}");
     }
 }
 
