@@ -11,7 +11,7 @@ use crate::ray::{Ray, ScaledPoint, shift_of};
 use crate::scene::access::ShapeId;
 use crate::scene::shape_set::{SetLayout, ShapeSet};
 use crate::shape::bordered::{Bordered, square};
-use crate::shape::rays::{Beam, SLACK};
+use crate::shape::rays::SLACK;
 use crate::vector::{Direction, Point, Vector};
 
 /// All rays from the points of a stretch to a far light: a strip between those of its two ends, as thick as the stretch
@@ -28,9 +28,9 @@ struct Strip<'a> {
     seen: (Direction, Length),
     /// Upper bound of the distance of a ray from the strip, in steps of 2^`scale`.
     thickness: i32,
-    /// The beam that holds all rays, around that from the first end: none is further from it than the stretch is long.
-    /// `None` if the stretch is far, or longer than [`WIDEST`].
-    beam: Option<Beam>,
+    /// Upper bound of the distance of a ray from that of the first end, in steps: none is further from it than the stretch
+    /// is long. `None` if the stretch is far, or longer than [`WIDEST`].
+    width: Option<i32>,
 }
 
 impl<'a> Strip<'a> {
@@ -40,11 +40,7 @@ impl<'a> Strip<'a> {
         let (way, scale) = first.to(last);
         let own = way.normalised();
         let thickness = (stretch.bulge >> shift_of(scale)) + SLACK;
-        let beam = Beam {
-            first: towards[0],
-            width: own.1.to_bits().saturating_add(thickness),
-            end: i32::MAX,
-        };
+        let width = own.1.to_bits().saturating_add(thickness);
         Self {
             stretch,
             towards,
@@ -53,7 +49,7 @@ impl<'a> Strip<'a> {
             own,
             seen: way.without(towards[0], way.dot(towards[0])).normalised(),
             thickness,
-            beam: (scale == 0 && beam.width < WIDEST).then_some(beam),
+            width: (scale == 0 && width < WIDEST).then_some(width),
         }
     }
 
@@ -62,11 +58,12 @@ impl<'a> Strip<'a> {
     fn misses<K: Bordered>(&self, shape: &K) -> bool {
         let (center, radius) = shape.bounding_ball();
         let way = self.stretch.ends[0].point.to(center);
-        if self.beam.is_some_and(|beam| beam.avoids_ball(way, radius)) {
+        let ([ahead, _], shift) = (self.towards, shift_of(self.scale));
+        let passes = |width| way.passes_by(way.dot(ahead), radius + width);
+        if self.width.is_some_and(passes) {
             return true;
         }
         let (center, half_axis, radius) = shape.outline();
-        let ([ahead, _], shift) = (self.towards, shift_of(self.scale));
         let reach = (radius >> shift) + self.thickness;
         let ends = [half_axis, Vector::ZERO.minus(half_axis)].map(|half| {
             let end = Point::at(center.to_vector().plus(half));
@@ -124,7 +121,7 @@ impl<'a> Strip<'a> {
     }
 }
 
-/// Largest radius of a beam, in steps: with that of a shape, its square fits 62 bits.
+/// Largest width of a strip, in steps: with the radius of a shape, its square fits 62 bits.
 const WIDEST: i32 = 1 << 28;
 
 /// The cosine of 20 degrees.

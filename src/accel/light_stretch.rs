@@ -10,9 +10,9 @@ use crate::number::Length;
 use crate::ray::ScaledPoint;
 use crate::scene::access::ShapeId;
 use crate::scene::shape_set::ShapeSet;
-use crate::shape::bordered::{Ball, Bordered, Fan};
+use crate::shape::bordered::{Bordered, Fan};
 use crate::shape::bounded::{Bounded, LightRay, Own};
-use crate::shape::rays::{Beam, Rays};
+use crate::shape::rays::{Rays, Spread};
 use crate::vector::Point;
 
 /// The points of a surface that a stretch shows.
@@ -39,13 +39,13 @@ pub(crate) fn lights_all<W: World, Q: CullingQuality>(
     stretch: &LitStretch,
     rays: &Rays,
 ) -> Option<bool> {
-    let set = rays_set::<W, Q>(world, index, rays, stretch.bulge);
     let mut found = Found {
         stretch,
         sight: Sight::new(rays, stretch.bulge),
         epsilon: world.parts().epsilon,
         is_unsure: false,
     };
+    let set = rays_set::<W, Q>(world, index, &found.sight.spread);
     match any_hides(world, &set, light, &mut found) {
         true => Some(false),
         false => (!found.is_unsure).then_some(true),
@@ -57,9 +57,9 @@ struct Sight<'a> {
     rays: &'a Rays,
     /// Upper bound of the distance of a point from the straight line between the ends, in steps.
     bulge: i32,
-    /// The beam that holds the rays, `None` if there is none.
-    beam: Option<Beam>,
-    /// The fan that holds the rays more closely, made when it is asked for.
+    /// What the rays to the ends tell of all.
+    spread: Spread,
+    /// The fan that holds the rays, made when it is asked for.
     fan: Option<Fan>,
 }
 
@@ -68,16 +68,9 @@ impl<'a> Sight<'a> {
         Self {
             rays,
             bulge,
-            beam: rays.beam(bulge),
+            spread: rays.spread(bulge),
             fan: None,
         }
-    }
-
-    /// Tests whether a ball surely lies outside of the beam.
-    #[inline(always)]
-    fn misses(&self, (center, radius): Ball) -> bool {
-        let way = self.rays.apex.point.to(center);
-        self.beam.is_some_and(|beam| beam.avoids_ball(way, radius))
     }
 
     /// Returns the fan of the rays.
@@ -113,10 +106,13 @@ impl Found<'_> {
         if is_own && is_closed {
             return false;
         }
-        !self.sight.misses(shape.bounding_ball()) && self.hides(shape, from, is_own)
+        match shape.told(from, &self.sight.spread) {
+            Some(hides) => hides,
+            None => self.hides(shape, from, is_own),
+        }
     }
 
-    /// Tests whether a shape that the beam meets hides all points of the stretch. Notes if it may hide some of them. Compiled
+    /// Tests whether a shape of which the rays to the ends do not tell hides all points of the stretch. Notes if it may hide some of them. Compiled
     /// once for each kind, not for each scene.
     #[inline(never)]
     fn hides<K: Bordered>(
@@ -173,11 +169,12 @@ macro_rules! any_hides {
                 let is_clear = parts.$list.iter().enumerate().all(|(index, shape)| {
                     let (center, radius) = shape.bounding_ball();
                     stretch.shape == ShapeId::at(first + index)
-                        || sight.misses((center, radius))
-                        || sight.fan().is_some_and(|fan| {
-                            fan.avoids_ball(eye.to(center), radius)
-                                || shape.spares(&shape.seen_from_light(eye), fan)
-                        })
+                        || sight.fan().is_some_and(|fan| fan.avoids_ball(eye.to(center), radius))
+                        || {
+                            let from = shape.seen_from_light(eye);
+                            shape.told(&from, &sight.spread) == Some(false)
+                                || sight.fan().is_some_and(|fan| shape.spares(&from, fan))
+                        }
                 });
                 if !is_clear {
                     return false;

@@ -11,7 +11,7 @@ use crate::number::{Unit, signed, to_u8, to_u32};
 use crate::ray::ScaledPoint;
 use crate::scene::shape_set::{SetLayout, ShapeSet};
 use crate::scene::{FEW, Parts};
-use crate::shape::rays::Rays;
+use crate::shape::rays::Spread;
 use crate::vector::{Direction, Vector};
 
 /// Number of cells of a table.
@@ -213,16 +213,15 @@ impl LightTable {
     }
 }
 
-/// Returns the bounded shapes that rays from a light to a curve can hit, by the light's index. `bulge` is
-/// that of the curve.
+/// Returns the bounded shapes that rays from a light to a curve can hit, by the light's index. `spread` is
+/// that of the rays.
 pub(super) fn rays_set<W: World, Q: CullingQuality>(
     world: &W,
     light: usize,
-    rays: &Rays,
-    bulge: i32,
+    spread: &Spread,
 ) -> ShapeSet {
     table_of::<W, Q>(world, light).map_or(*ShapeSet::ALL, |table| {
-        table.between(rays.ends, rays.widening(bulge))
+        table.between(spread.ends, spread.aside)
     })
 }
 

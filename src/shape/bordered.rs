@@ -4,7 +4,7 @@
 use core::fmt::Debug;
 
 use super::bounded::Bounded;
-use super::rays::{Rays, SLACK};
+use super::rays::{Rays, SLACK, Spread};
 use crate::number::{Length, Unit, unsigned_wide, wide};
 use crate::ray::{REACH, RowPlane, Span};
 use crate::vector::{Direction, Point, Vector};
@@ -39,6 +39,12 @@ pub trait Bordered: Bounded {
 
     /// Tests whether the solid surely has no point in a ball.
     fn is_apart_from(&self, ball: Ball) -> bool;
+
+    /// Returns whether the shape hides all points of a curve from a light, or none; `None` if the rays to its ends do not
+    /// tell. Those of the light to the curve have this spread.
+    fn told(&self, _from: &Self::FromLight, _spread: &Spread) -> Option<bool> {
+        None
+    }
 
     /// Tests whether the shape surely hides no point of a fan from its apex.
     fn spares(&self, from: &Self::FromLight, fan: &Fan) -> bool;

@@ -1,8 +1,6 @@
-//! The rays from a light or an eye to a stretch of a surface: those to its two ends, and all of them as one thick ray.
+//! The rays from a light or an eye to a stretch of a surface: those to its two ends, and what these tell of all others.
 
-use crate::number::{
-    Length, Unit, narrowed_unsigned, ratio, scaled_by_unit, signed, square_root, unsigned,
-};
+use crate::number::{Length, Unit, narrowed_unsigned, ratio, signed, square_root, unsigned};
 use crate::ray::{REACH, ScaledPoint};
 use crate::vector::{Direction, Vector};
 
@@ -39,65 +37,46 @@ impl Rays {
         }
     }
 
-    /// Returns a beam that holds all rays to a curve between the two places. The curve is at most `bulge` steps away from
-    /// the straight line. `None` if a place is far, or if the angle between the rays is larger than 20 degrees.
-    pub(crate) fn beam(&self, bulge: i32) -> Option<Beam> {
-        let [first, _] = self.ends;
-        let reach = self.reaches[0].max(self.reaches[1]);
-        (reach < REACH && self.turn <= WIDEST_BEAM).then(|| {
-            let width = scaled_by_unit(reach.to_bits(), self.turn) + bulge + SLACK;
-            Beam {
-                first,
-                width,
-                end: reach.to_bits().saturating_add(width),
-            }
-        })
-    }
-
-    /// Returns by how much a coordinate of a direction between the two may exceed theirs.
+    /// Returns what the two ends tell of all rays to a curve between them, which is at most `bulge` steps away from the
+    /// straight line.
     ///
     /// The directions from end to end lie on an arc. It bulges by at most an eighth of the square of its
     /// chord; a ray to a curve is off the triangle by the curve's bulge over the distance.
-    pub(crate) fn widening(&self, bulge: i32) -> Unit {
+    pub(crate) fn spread(&self, bulge: i32) -> Spread {
         let [first, last] = self.ends;
         let chord = (last.raw().minus(first.raw()).square() >> 33) + 1;
         let [one, other] = self.reaches;
         let nearest = unsigned(one.min(other).to_bits().max(1));
-        let thickness = unsigned(bulge + SLACK);
-        let aside = match thickness < nearest {
-            true => ratio(thickness, nearest),
+        let thickness = bulge + SLACK;
+        let aside = match unsigned(thickness) < nearest {
+            true => ratio(unsigned(thickness), nearest),
             false => Unit::ONE.to_bits(),
         };
-        Unit::from_bits(aside + signed(narrowed_unsigned(chord)))
+        Spread {
+            ends: self.ends,
+            least: one.min(other).to_bits() - thickness,
+            most: one.max(other).to_bits().saturating_add(thickness),
+            thickness,
+            aside: Unit::from_bits(aside + signed(narrowed_unsigned(chord))),
+        }
     }
+}
+
+/// What the rays to the two ends of a curve tell of all rays between them.
+#[derive(Clone, Copy, Debug)]
+pub struct Spread {
+    pub(crate) ends: [Direction; 2],
+    /// Bounds of the distances, in steps.
+    pub(crate) least: i32,
+    pub(crate) most: i32,
+    /// Upper bound of the distance of the rays from the triangle, in steps.
+    pub(crate) thickness: i32,
+    /// Upper bound of the distance of a direction from the straight line between those to the ends.
+    pub(crate) aside: Unit,
 }
 
 /// Returns the length of the difference of two directions; 1 if the angle between them is a right one or larger.
 pub(crate) fn turn_between(first: Direction, last: Direction) -> Unit {
     let square = first.change_to(last).map(Vector::square);
     square.map_or(Unit::ONE, |square| Unit::from_bits(square_root(square)))
-}
-
-/// One thick ray that holds all rays from a point, the apex, to a curve.
-#[derive(Clone, Copy, Debug)]
-pub struct Beam {
-    /// Direction of the thick ray: that to one end of the curve.
-    pub(crate) first: Direction,
-    /// Its radius in steps.
-    pub(crate) width: i32,
-    /// Where it ends: a distance from the apex in steps.
-    pub(crate) end: i32,
-}
-
-/// Largest angle between the rays of a beam, as the length of the difference of their directions: about 20 degrees.
-const WIDEST_BEAM: Unit = Unit::from_bits(3 << 27);
-
-impl Beam {
-    /// Tests whether a ball surely lies outside of the beam, so that all rays miss it. `way` is the vector from the apex to
-    /// the ball's centre.
-    #[inline(always)]
-    pub(crate) fn avoids_ball(&self, way: Vector, radius: i32) -> bool {
-        let along = way.dot(self.first);
-        along > self.end.saturating_add(radius) || way.passes_by(along, radius + self.width)
-    }
 }

@@ -6,7 +6,7 @@ use crate::number::{
 };
 use crate::ray::{ANY_COLUMN, Chord, NO_COLUMN, RowPlane, Span, column};
 use crate::shape::bordered::{Ball, Bordered, Fan, square};
-use crate::shape::rays::SLACK;
+use crate::shape::rays::{SLACK, Spread};
 use crate::vector::{Direction, Vector};
 
 impl Bordered for PreparedCylinder {
@@ -44,26 +44,21 @@ impl Bordered for PreparedCylinder {
             || way.without(self.axis, along).square() > square(self.radius + radius + SLACK)
     }
 
+    /// If the rays to both ends pass the axis on the same side, further away than the radius, all rays do.
+    #[inline(always)]
+    fn told(&self, from: &CylinderFromLight, spread: &Spread) -> Option<bool> {
+        let [one, other] = spread.ends.map(|end| from.from.sideways(end));
+        let reach = self.radius + spread.thickness;
+        let is_spared =
+            one.min(other) > reach || one.max(other) < -reach || spread.most < from.nearest;
+        is_spared.then_some(false)
+    }
+
     fn spares(&self, from: &CylinderFromLight, fan: &Fan) -> bool {
-        if fan
-            .reaches
-            .iter()
-            .all(|reach| reach.to_bits() + fan.thickness < from.nearest)
-        {
-            return true;
-        }
-        let whole = from;
-        let from = &from.from;
-        // If both ends pass the axis on the same side, further away than the radius, all rays do.
-        let [one, other] = fan.ends.map(|end| from.sideways(end));
-        let reach = self.radius + fan.thickness;
-        if one.min(other) > reach || one.max(other) < -reach {
-            return true;
-        }
         let size = |direction: Direction| {
             scaled_by_unit(self.half_height, self.axis.dot(direction)).abs() + self.radius + SLACK
         };
-        fan.avoids(from.way, size) || self.is_passed(whole, fan)
+        fan.avoids(from.from.way, size) || self.is_passed(from, fan)
     }
 
     /// Rays to a straight line that meet the solid at both ends meet it between, as it is convex. They hit the wall

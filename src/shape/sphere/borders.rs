@@ -1,8 +1,10 @@
 //! Where a sphere begins and ends in a row, and what it surely does to a stretch.
 
 use super::{PreparedSphere, SphereFromPoint};
+use crate::number::scaled_by_unit;
 use crate::ray::{RowPlane, Span};
 use crate::shape::bordered::{Ball, Bordered, Fan, square};
+use crate::shape::rays::Spread;
 
 impl Bordered for PreparedSphere {
     type Rims = [u16; 0];
@@ -19,6 +21,18 @@ impl Bordered for PreparedSphere {
     #[inline(always)]
     fn is_apart_from(&self, (center, radius): Ball) -> bool {
         self.center.to(center).square() > square(self.radius + radius)
+    }
+
+    /// A ray meets the sphere where its direction lies in the cone of the tangents, and further away than they are long.
+    #[inline(always)]
+    fn told(&self, from: &SphereFromPoint, spread: &Spread) -> Option<bool> {
+        let [one, other] = spread.ends.map(|end| from.way.dot(end));
+        let margin = scaled_by_unit(from.tangent.max(0) + self.radius, spread.aside) + 2;
+        if one.max(other) + margin < from.tangent || from.tangent >= spread.most {
+            return Some(false);
+        }
+        let is_hidden = one.min(other) - margin >= from.tangent && from.tangent < spread.least;
+        is_hidden.then_some(true)
     }
 
     #[inline(always)]

@@ -25,7 +25,7 @@ fn depth(tube: &PreparedCylinder, way: Triple, to: Triple) -> Option<f64> {
 #[test]
 fn cylinder_spares_and_hides_whole_fans() {
     let mut sweep = Sweep::new(52);
-    let (mut spared, mut hidden, mut passed) = (0, 0, 0);
+    let (mut spared, mut hidden, mut passed, mut told) = (0, 0, 0, 0);
     for _ in 0..120_000 {
         let size = sweep.octaves(10, 25);
         let other = (size >> sweep.within(0, 8)).max(256);
@@ -42,7 +42,8 @@ fn cylinder_spares_and_hides_whole_fans() {
         let is_met = |depth: &Option<f64>| depth.is_some();
         // The kernel asks for both ends first.
         let hides = depths[0].is_some() && depths[8].is_some() && tube.hides(&from, &lit.fan);
-        let spares = tube.spares(&from, &lit.fan);
+        let is_told = tube.told(&from, &lit.spread) == Some(false);
+        let spares = is_told || tube.spares(&from, &lit.fan);
         assert!(
             !spares || !depths.iter().any(is_met),
             "{depths:?} {tube:?} {lit:?}"
@@ -52,11 +53,12 @@ fn cylinder_spares_and_hides_whole_fans() {
             "{depths:?} {tube:?} {lit:?}"
         );
         spared += u32::from(spares);
+        told += u32::from(is_told);
         hidden += u32::from(hides);
         passed += u32::from(spares && tube.is_passed(&from, &lit.fan));
     }
     assert!(
-        spared > 20_000 && hidden > 1_000 && passed > 10_000,
-        "{spared} {hidden} {passed}"
+        spared > 20_000 && hidden > 1_000 && passed > 10_000 && told > 5_000,
+        "{spared} {hidden} {passed} {told}"
     );
 }
