@@ -83,8 +83,6 @@ struct Base {
     middle: Vector,
     /// Half of the length, in steps, rounded up.
     half: i32,
-    /// Direction from the first end to the last.
-    along: Direction,
 }
 
 impl Fan {
@@ -119,7 +117,6 @@ impl Fan {
                 distance: distance.abs(),
                 middle: one.plus(other).coarser(1),
                 half: (length.to_bits() >> 1) + 2,
-                along,
             }
         });
         Some(Self {
@@ -183,27 +180,6 @@ impl Fan {
         }
         let aside = beyond.max(aside[0]).max(aside[1]);
         aside > 0 && square(aside) + square(apart) > square(reach)
-    }
-
-    /// Tests whether all rays of the fan surely end before they come near to a ball: each is nearest to the ball's
-    /// centre where it ends, outside of the ball.
-    ///
-    /// For a point p of the straight line between the ends, (c - p) · (p - apex) is a concave function of p, so it
-    /// is above 0 if it is at both ends.
-    #[inline(never)]
-    pub(crate) fn ends_before_ball(&self, way: Vector, radius: i32) -> bool {
-        let Some(base) = self.base else {
-            return false;
-        };
-        let reach = radius + self.thickness;
-        let beyond = [0, 1].map(|end| way.dot(self.ends[end]) - self.reaches[end].to_bits());
-        let nearest = self.reaches[0].min(self.reaches[1]).to_bits();
-        if beyond[0].min(beyond[1]) < 5 * self.thickness || way.square() > 4 * square(nearest) {
-            return false;
-        }
-        let from = way.minus(base.middle);
-        let along = from.dot(base.along).max(-base.half).min(base.half);
-        from.without(base.along, along).square() > square(reach)
     }
 }
 

@@ -50,8 +50,14 @@ impl<W: World, K: Shading, Q: PathQuality> Tracer<'_, W, K, Q> {
                 return is_listed.then(|| culling.border(self.world, mirror, between, shapes))?;
             }
             let plane = parts.plane(one.shape)?;
+            let is_long = last - first >= WORTHWHILE;
+            let one_cell = |place| self.is_one_cell(one.shape, [one.place, place], 0);
+            if W::NEEDS.checkers && is_long && !one_cell(other.place) {
+                let line = PlaneLine::new(self.culling.ahead()?, between.1, (paths, level))?;
+                return Some(line.last_column(one_cell));
+            }
             // A scene without bounded shapes links no code for their shadows.
-            if parts.has_bounded() && last - first >= WORTHWHILE && one.lights != other.lights {
+            if parts.has_bounded() && is_long && one.lights != other.lights {
                 return self.shadow_border(between.1, (paths, level), plane);
             }
             mirror = Some((one.shape, plane));
@@ -79,16 +85,10 @@ impl<W: World, K: Shading, Q: PathQuality> Tracer<'_, W, K, Q> {
         let (parts, plane) = (world.parts(), (plane, one.shape, one.is_inside));
         let visibility = Culled::<W, Q>::new(world, self.visibility);
         let is_lit = lights & bit_modulo_32(index) != 0;
-        let [mut before, mut after] = columns;
-        while after - before > 1 {
-            let column = before.midpoint(after);
-            let surface = Surface::flat(&parts, plane, line.at(column));
-            match K::shines::<W, Q, _>(world, &surface, &visibility, (light, index)) == is_lit {
-                true => before = column,
-                false => after = column,
-            }
-        }
-        Some(before)
+        Some(line.last_column(|place| {
+            let surface = Surface::flat(&parts, plane, place);
+            K::shines::<W, Q, _>(world, &surface, &visibility, (light, index)) == is_lit
+        }))
     }
 }
 
@@ -116,6 +116,20 @@ impl<'a> PlaneLine<'a> {
             ends: [one, other],
             depths: coarse([start, end]),
         })
+    }
+
+    /// Returns the last column of those from the first on whose points are like the first one's, found by bisection.
+    #[inline(always)]
+    fn last_column(&self, is_like: impl Fn(ScaledPoint) -> bool) -> u32 {
+        let [mut before, mut after] = self.columns;
+        while after - before > 1 {
+            let column = before.midpoint(after);
+            match is_like(self.at(column)) {
+                true => before = column,
+                false => after = column,
+            }
+        }
+        before
     }
 
     /// Returns the point that a column between the two shows. It divides the line as the column divides the columns, each

@@ -125,7 +125,9 @@ impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
         let Some(shown) = shown(self.world, origin.eye, origin.row, stops) else {
             return Err(steps);
         };
-        if W::NEEDS.checkers && !self.keeps_cell(&shown) {
+        let LitStretch { bulge, ends, .. } = shown.lit;
+        let aside = if bulge > 0 { bulge + 8 } else { 0 };
+        if W::NEEDS.checkers && !self.is_one_cell(first.shape, ends, aside) {
             return Err(steps);
         }
         let keeps = steps > 0
@@ -202,13 +204,9 @@ impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
         self.keeps(between, origin, &stretch, proved)
     }
 
-    /// Tests whether a stretch lies in one cell of its material's checker. Cells are convex, so a flat one does
-    /// if its ends do.
-    fn keeps_cell(&self, shown: &Shown<'_>) -> bool {
-        let LitStretch {
-            shape, bulge, ends, ..
-        } = shown.lit;
-        let aside = if bulge > 0 { bulge + 8 } else { 0 };
+    /// Tests whether a stretch of a shape lies in one cell of its material's checker. Its points are at most `aside` steps off
+    /// the straight line between its ends. Cells are convex, so a flat one does if its ends do.
+    pub(super) fn is_one_cell(&self, shape: ShapeId, ends: [ScaledPoint; 2], aside: i32) -> bool {
         checker_of(self.world, shape).is_none_or(|checker| checker.is_one_cell(ends, aside))
     }
 

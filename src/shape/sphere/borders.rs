@@ -37,7 +37,7 @@ impl Bordered for PreparedSphere {
 
     #[inline(always)]
     fn spares(&self, from: &SphereFromPoint, fan: &Fan) -> bool {
-        fan.avoids_ball(from.way, self.radius) || fan.ends_before_ball(from.way, self.radius)
+        fan.avoids_ball(from.way, self.radius)
     }
 
     /// A convex body that hides two points hides the straight line between them. The points of the fan are

@@ -8,7 +8,7 @@ use crate::shape::fixture::fans::{any_fan, segment_distance};
 #[test]
 fn sphere_spares_and_hides_whole_fans() {
     let mut sweep = Sweep::new(51);
-    let (mut spared, mut hidden, mut before, mut told) = (0, 0, 0, [0; 2]);
+    let (mut spared, mut hidden, mut told) = (0, 0, [0; 2]);
     for _ in 0..60_000 {
         let radius = sweep.octaves(8, 25);
         let center = sweep.triple(1 << 26);
@@ -34,10 +34,9 @@ fn sphere_spares_and_hides_whole_fans() {
         }
         spared += u32::from(spares);
         hidden += u32::from(hides);
-        before += u32::from(spares && !lit.fan.avoids_ball(from.way, radius));
     }
     assert!(
-        spared > 10_000 && hidden > 2_000 && before > 300 && told[0].min(told[1]) > 2_000,
-        "{spared} {hidden} {before} {told:?}"
+        spared > 10_000 && hidden > 2_000 && told[0].min(told[1]) > 2_000,
+        "{spared} {hidden} {told:?}"
     );
 }
