@@ -28,10 +28,12 @@ impl Bordered for PreparedSphere {
     fn told(&self, from: &SphereFromPoint, spread: &Spread) -> Option<bool> {
         let [one, other] = spread.ends.map(|end| from.way.dot(end));
         let margin = scaled_by_unit(from.tangent.max(0) + self.radius, spread.aside) + 2;
-        if one.max(other) + margin < from.tangent || from.tangent >= spread.most {
+        let least = from.tangent.saturating_sub(margin);
+        if one.max(other) < least || from.tangent >= spread.most {
             return Some(false);
         }
-        let is_hidden = one.min(other) - margin >= from.tangent && from.tangent < spread.least;
+        let is_hidden =
+            one.min(other).saturating_sub(margin) >= from.tangent && from.tangent < spread.least;
         is_hidden.then_some(true)
     }
 
