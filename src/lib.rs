@@ -146,8 +146,9 @@
 //! Coordinates become whole steps of a grid, which is chosen for each scene when it is built. The shapes
 //! fill a ball with a radius of 2²⁸ steps, or 2²⁵ steps in a scene with planes. They fill fewer steps if
 //! lights, camera or planes stand up to 32 times as far from the middle, because the grid then includes
-//! these, too. The scene's own camera may stand further away. But the steps are never coarser than the smallest shape and
-//! epsilon need. So a scene in millimetres and the same scene in kilometres give the same picture.
+//! these, too. The scene's own camera may stand further away. But the steps are never coarser than the
+//! smallest shape and epsilon need. So a scene in millimetres and the same scene in kilometres give the
+//! same picture.
 //!
 //! # Features
 //!

@@ -112,8 +112,8 @@ impl Found<'_> {
         }
     }
 
-    /// Tests whether a shape of which the rays to the ends do not tell hides all points of the stretch. Notes if it may hide some of them. Compiled
-    /// once for each kind, not for each scene.
+    /// Tests whether a shape of which the rays to the ends do not tell hides all points of the stretch. Notes if it may hide
+    /// some of them. Compiled once for each kind, not for each scene.
     #[inline(never)]
     fn hides<K: Bordered>(
         &mut self,

@@ -41,7 +41,7 @@ pub trait Bordered: Bounded {
     fn is_apart_from(&self, ball: Ball) -> bool;
 
     /// Returns whether the shape hides all points of a curve from a light, or none; `None` if the rays to its ends do not
-    /// tell. Those of the light to the curve have this spread.
+    /// tell. `spread` is that of the light's rays to the curve.
     fn told(&self, _from: &Self::FromLight, _spread: &Spread) -> Option<bool> {
         None
     }

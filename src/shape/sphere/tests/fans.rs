@@ -1,8 +1,22 @@
 //! Tests of what a sphere surely does to a light's rays.
 
 use super::*;
+use crate::ray::ScaledPoint;
 use crate::shape::bordered::Bordered;
 use crate::shape::fixture::fans::{any_fan, segment_distance};
+use crate::shape::rays::Rays;
+
+/// The ends of a wide fan do not tell of a small sphere in its middle.
+#[test]
+fn small_sphere_in_the_middle_of_wide_rays_is_not_spared() {
+    let sphere = sphere([0, 1 << 24, 0], 1 << 18);
+    let from = sphere.seen_from_light(Point::ORIGIN);
+    for aside in (1..29).map(|it| it << 20) {
+        let places = [-aside, aside].map(|x| ScaledPoint::at(Point::new(x, 1 << 25, 0)));
+        let spread = Rays::new(ScaledPoint::ORIGIN, places).spread(0);
+        assert_ne!(sphere.told(&from, &spread), Some(false), "{aside}");
+    }
+}
 
 /// A sphere that spares a fan meets none of its rays. One that hides it meets all of them, if it hides both ends.
 #[test]
