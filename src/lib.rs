@@ -115,11 +115,11 @@
 //!
 //! | profile | castle flash | castle instr/pixel | corner1 flash | corner1 instr/pixel |
 //! |---|--:|--:|--:|--:|
-//! | lto = true, codegen-units = 1 | 52572 | 1361 | 14948 | 214 |
-//! | Cargo's default release | 69692 | 1442 | 20180 | 250 |
-//! | lto = true, codegen-units = 1, opt-level = "s" | 51896 | 2386 | 16404 | 280 |
-//! | lto = true, codegen-units = 1, opt-level = "z" | 48364 | 3792 | 16636 | 464 |
-//! | Cargo's default dev (debug) | 576080 | 39581 | 529792 | 6149 |
+//! | lto = true, codegen-units = 1 | 52292 | 1343 | 15256 | 218 |
+//! | Cargo's default release | 69592 | 1417 | 20364 | 253 |
+//! | lto = true, codegen-units = 1, opt-level = "s" | 51072 | 2368 | 16704 | 284 |
+//! | lto = true, codegen-units = 1, opt-level = "z" | 47984 | 3755 | 16644 | 464 |
+//! | Cargo's default dev (debug) | 574612 | 39444 | 528324 | 6178 |
 //!
 //! Every profile draws the same picture. If flash is scarce, the quality [`Small`](quality::Small) saves
 //! more than an `opt-level`.

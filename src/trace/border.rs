@@ -15,13 +15,13 @@ use crate::shade::highlight::sealed::Shading;
 use crate::shape::plane::PreparedPlane;
 use crate::vector::{Direction, Point};
 
-/// Number of columns of the shortest stretch in which the border of a shadow is looked for. In a shorter one it is not
-/// worth the time, because little could be proved of the two parts.
+/// Number of columns of the shortest stretch in which the border of a shadow or of a checker's cell is looked for. In a
+/// shorter one it is not worth the time, because little could be proved of the two parts.
 const WORTHWHILE: u32 = 16;
 
 impl<W: World, K: Shading, Q: PathQuality> Tracer<'_, W, K, Q> {
-    /// Returns the last column before a shape or a shadow ends or begins between two traced pixels: one that kept
-    /// `proved` from going on, or one that one of the pixels shows and the other does not, directly or in flat mirrors.
+    /// Returns the last column before a shape, a shadow or a checker's cell ends or begins between two traced pixels: a shape
+    /// that kept `proved` from going on, or what one of the pixels shows and the other does not, directly or in flat mirrors.
     /// `None` if no such column is known.
     #[inline(never)]
     pub(crate) fn border(
