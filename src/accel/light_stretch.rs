@@ -52,12 +52,12 @@ pub(crate) fn lights_all<W: World, Q: CullingQuality>(
     }
 }
 
-/// The rays from an eye or a light to the points of a stretch, and the bodies that hold them all.
+/// The rays from an eye or a light to the points of a stretch: those to its two ends, and what bounds them all.
 struct Sight<'a> {
     rays: &'a Rays,
     /// Upper bound of the distance of a point from the straight line between the ends, in steps.
     bulge: i32,
-    /// What the rays to the ends tell of all.
+    /// Bounds of all rays.
     spread: Spread,
     /// The fan that holds the rays, made when it is asked for.
     fan: Option<Fan>,
@@ -112,8 +112,8 @@ impl Found<'_> {
         }
     }
 
-    /// Tests whether a shape of which the rays to the ends do not tell hides all points of the stretch. Notes if it may hide
-    /// some of them. Compiled once for each kind, not for each scene.
+    /// Tests by the fan whether a shape hides all points of the stretch. Notes if it may hide some of them. Compiled once for
+    /// each kind, not for each scene.
     #[inline(never)]
     fn hides<K: Bordered>(
         &mut self,

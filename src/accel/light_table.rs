@@ -213,8 +213,8 @@ impl LightTable {
     }
 }
 
-/// Returns the bounded shapes that rays from a light to a curve can hit, by the light's index. `spread` is
-/// that of the rays.
+/// Returns the bounded shapes that rays from a light to a curve can hit, by the light's index. `spread`
+/// bounds these rays.
 pub(super) fn rays_set<W: World, Q: CullingQuality>(
     world: &W,
     light: usize,

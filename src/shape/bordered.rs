@@ -40,8 +40,8 @@ pub trait Bordered: Bounded {
     /// Tests whether the solid surely has no point in a ball.
     fn is_apart_from(&self, ball: Ball) -> bool;
 
-    /// Returns whether the shape hides all points of a curve from a light, or none; `None` if the rays to its ends do not
-    /// tell. `spread` is that of the light's rays to the curve.
+    /// Returns whether the shape hides all points of a curve from a light, or none; `None` if that is not sure yet. It is
+    /// decided from the rays to the two ends alone, without a fan. `spread` bounds the light's rays to the curve.
     fn told(&self, _from: &Self::FromLight, _spread: &Spread) -> Option<bool> {
         None
     }

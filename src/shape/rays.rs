@@ -1,4 +1,4 @@
-//! The rays from a light or an eye to a stretch of a surface: those to its two ends, and what these tell of all others.
+//! The rays from a light or an eye to a stretch of a surface: those to its two ends, and bounds of all between.
 
 use crate::number::{Length, Unit, narrowed_unsigned, ratio, signed, square_root, unsigned};
 use crate::ray::{REACH, ScaledPoint};
@@ -37,11 +37,11 @@ impl Rays {
         }
     }
 
-    /// Returns what the two ends tell of all rays to a curve between them, which is at most `bulge` steps away from the
+    /// Returns bounds of all rays to a curve between the two places. The curve is at most `bulge` steps away from the
     /// straight line.
     ///
-    /// The directions from end to end lie on an arc. Up to a right angle, it is off its chord c by at most 5/32 c²: it is
-    /// by 1 - √(1 - c²/4). A ray to a curve is off the triangle by the curve's bulge over the distance.
+    /// The directions to that line lie on an arc of radius 1. It is 1 - √(1 - c²/4) away from its chord c: up to a right
+    /// angle, at most 5/32 c². The direction to a point of the curve is off the arc by the bulge over the distance.
     pub(crate) fn spread(&self, bulge: i32) -> Spread {
         let [first, last] = self.ends;
         let square = last.raw().minus(first.raw()).square();
@@ -63,16 +63,18 @@ impl Rays {
     }
 }
 
-/// What the rays to the two ends of a curve tell of all rays between them.
+/// Bounds of all rays from a point to a curve.
 #[derive(Clone, Copy, Debug)]
 pub struct Spread {
+    /// Directions to the two ends of the curve.
     pub(crate) ends: [Direction; 2],
-    /// Bounds of the distances, in steps.
+    /// Lower bound of the rays' lengths, in steps.
     pub(crate) least: i32,
+    /// Upper bound of the rays' lengths, in steps.
     pub(crate) most: i32,
-    /// Upper bound of the distance of the rays from the triangle, in steps.
+    /// Upper bound of the distance of a ray from the triangle between the rays to the two ends, in steps.
     pub(crate) thickness: i32,
-    /// Upper bound of the distance of a direction from the straight line between those to the ends.
+    /// Upper bound of the distance of a ray's direction from the straight line between the directions to the two ends.
     pub(crate) aside: Unit,
 }
 

@@ -20,9 +20,9 @@ use crate::vector::{Direction, Point};
 const WORTHWHILE: u32 = 16;
 
 impl<W: World, K: Shading, Q: PathQuality> Tracer<'_, W, K, Q> {
-    /// Returns the last column before a shape, a shadow or a checker's cell ends or begins between two traced pixels: a shape
-    /// that kept `proved` from going on, or what one of the pixels shows and the other does not, directly or in flat mirrors.
-    /// `None` if no such column is known.
+    /// Returns the last column before a border between two traced pixels: where a shape begins or ends that kept `proved`
+    /// from going on, or else where a shape, a shadow or a checker's cell begins or ends that only one of the two pixels
+    /// shows, directly or in flat mirrors. `None` if no such column is known.
     #[inline(never)]
     pub(crate) fn border(
         &mut self,

@@ -23,7 +23,7 @@ impl Bordered for PreparedSphere {
         self.center.to(center).square() > square(self.radius + radius)
     }
 
-    /// A ray meets the sphere where its direction lies in the cone of the tangents, and further away than they are long.
+    /// A ray meets the sphere if its direction lies in the cone of the tangents, and if it is longer than they are.
     #[inline(always)]
     fn told(&self, from: &SphereFromPoint, spread: &Spread) -> Option<bool> {
         let [one, other] = spread.ends.map(|end| from.way.dot(end));
