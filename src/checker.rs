@@ -5,11 +5,11 @@ use crate::error_kind::ErrorKind;
 use crate::grid::Grid;
 use crate::material::{are_same, is_color};
 use crate::number::{
-    Number, low_word, narrowed, narrowed_128, narrowed_unsigned, narrowed_unsigned_128,
-    sum_modulo_2_32, twos_complement, wide,
+    Length, Number, leading_zeros, low_word, narrowed, narrowed_128, narrowed_unsigned,
+    narrowed_unsigned_128, sum_modulo_2_32, twos_complement, unsigned, wide,
 };
 use crate::ray::ScaledPoint;
-use crate::vector::Position;
+use crate::vector::{Point, Position};
 
 /// Checker of a material as the user describes it: space is divided into cells, and every other cell has the
 /// checker's colour instead of the material's.
@@ -67,10 +67,16 @@ pub struct PreparedChecker {
     /// Colour of every other cell, scaled by [`Color::in_levels`].
     pub(crate) color: Color,
     axes: [Axis; 3],
+    /// Number of scales, from 0 on, at which epsilon is more than [`TIE`] steps. At others no point counts as on a border,
+    /// because the surface of which it is a point may be the border.
+    tied: u32,
 }
 
 /// Number of fraction bits of a place in cells.
-const PLACES: u32 = 31;
+pub(crate) const PLACES: u32 = 31;
+
+/// A point so many steps below a border counts as on it, so that rounding does not divide pixels that show a border.
+const TIE: i32 = 3;
 
 /// The cells along one axis.
 #[derive(Clone, Copy, Debug)]
@@ -89,13 +95,20 @@ impl PreparedChecker {
     pub(crate) const NONE: Self = Self {
         color: Color::BLACK,
         axes: [Axis::NONE; 3],
+        tied: 0,
     };
 
-    /// Converts a checker that was checked to the scene's grid. Fails with [`ErrorKind::Checker`] if a cell
+    /// Converts a checker that was checked to the scene's grid, with its epsilon. Fails with [`ErrorKind::Checker`] if a cell
     /// is smaller than two steps, or larger than 2⁴⁴.
-    pub(crate) const fn prepare(checker: &Checker, grid: &Grid) -> Result<Self, ErrorKind> {
+    pub(crate) const fn prepare(
+        checker: &Checker,
+        grid: &Grid,
+        epsilon: Length,
+    ) -> Result<Self, ErrorKind> {
+        let bits = 32 - leading_zeros(unsigned(epsilon.to_bits()));
         let mut prepared = Self {
             color: Color::from_numbers(checker.color).in_levels(),
+            tied: bits.saturating_sub(2),
             ..Self::NONE
         };
         let mut axis = 0;
@@ -118,17 +131,36 @@ impl PreparedChecker {
         x.cells | y.cells | z.cells != 0
     }
 
+    /// Returns a point moved over a border that it counts as on.
+    #[inline(always)]
+    fn tied(&self, ScaledPoint { point, scale }: ScaledPoint) -> ScaledPoint {
+        let tie = if scale < self.tied { TIE } else { 0 };
+        let point = Point::new(point.x + tie, point.y + tie, point.z + tie);
+        ScaledPoint { point, scale }
+    }
+
     /// Tests whether a point lies in a cell of the checker's colour.
     #[inline(always)]
-    pub(crate) fn holds(&self, ScaledPoint { point, scale }: ScaledPoint) -> bool {
-        let [x, y, z] = &self.axes;
+    pub(crate) fn holds(&self, place: ScaledPoint) -> bool {
+        let (ScaledPoint { point, scale }, [x, y, z]) = (self.tied(place), &self.axes);
         let odd = x.is_odd(point.x, scale) ^ y.is_odd(point.y, scale);
         odd ^ z.is_odd(point.z, scale)
     }
 
+    /// Returns the place of a point along each axis: counted in cells, with [`PLACES`] fraction bits.
+    pub(crate) fn places(&self, place: ScaledPoint) -> [i64; 3] {
+        let (ScaledPoint { point, scale }, [x, y, z]) = (self.tied(place), &self.axes);
+        [
+            x.counted(point.x, scale),
+            y.counted(point.y, scale),
+            z.counted(point.z, scale),
+        ]
+    }
+
     /// Tests whether all points between two lie in one cell, also if each is off the line between them by up to
     /// `aside` steps.
-    pub(crate) fn is_one_cell(&self, [one, other]: [ScaledPoint; 2], aside: i32) -> bool {
+    pub(crate) fn is_one_cell(&self, ends: [ScaledPoint; 2], aside: i32) -> bool {
+        let [one, other] = ends.map(|end| self.tied(end));
         let ends = [
             (one.point.x, other.point.x),
             (one.point.y, other.point.y),
@@ -186,8 +218,14 @@ impl Axis {
         sum_modulo_2_32(place, self.middle) >> PLACES != 0
     }
 
+    /// Returns a place in cells, whose number is even where the cell has the material's colour.
+    #[inline(always)]
+    fn counted(&self, coordinate: i32, scale: u32) -> i64 {
+        self.place(coordinate, scale) + i64::from(self.middle)
+    }
+
     fn cell(&self, coordinate: i32, scale: u32) -> i64 {
-        (self.place(coordinate, scale) + i64::from(self.middle)) >> PLACES
+        self.counted(coordinate, scale) >> PLACES
     }
 }
 

@@ -229,7 +229,20 @@ impl PathSignature {
     /// keeps that.
     #[inline(always)]
     pub(crate) fn ended(self, is_bounded: bool) -> Self {
-        Self(self.0 << 1 | u32::from(is_bounded))
+        Self(self.0 << 2 | u32::from(is_bounded))
+    }
+
+    /// Returns the final signature of a path that meets an odd number of cells with their checker's colour, if `is_odd`. The
+    /// second lowest bit keeps that.
+    #[inline(always)]
+    pub(crate) fn in_cell(self, is_odd: bool) -> Self {
+        Self(self.0 & !2 | u32::from(is_odd) << 1)
+    }
+
+    /// Returns whether the path meets an odd number of cells with their checker's colour.
+    #[inline(always)]
+    pub(crate) fn cell(self) -> bool {
+        self.0 & 2 != 0
     }
 
     /// Returns the mark of the path.
@@ -244,10 +257,10 @@ impl PathSignature {
         self.0 & 1 == 1
     }
 
-    /// Tests whether two paths hit the same and have known bounds.
+    /// Tests whether two paths hit the same and have known bounds. Cells of checkers do not count.
     #[inline(always)]
     pub(crate) fn is_same_as(self, other: Self) -> bool {
-        self == other && self.is_bounded()
+        (self.0 ^ other.0) >> 2 == 0 && self.is_bounded()
     }
 }
 

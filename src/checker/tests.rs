@@ -28,7 +28,7 @@ fn cell_is_the_one_of_exact_numbers() {
         let mut size = random.place().map(|it| extent * 10_f64.powf(3.0 * it));
         size[0] *= f64::from(random.within(0, 1));
         let checker = Checker::new([Number::ZERO; 3], size.map(Number::new));
-        let checker = PreparedChecker::prepare(&checker, &grid).unwrap();
+        let checker = PreparedChecker::prepare(&checker, &grid, Length::from_bits(64)).unwrap();
         let offset = random.place().map(|it| it * 3.0 * extent);
         let point = [0, 1, 2].map(|axis| middle[axis] + offset[axis]);
         let found = checker.holds(grid.place(Position::new(point)));
@@ -47,7 +47,7 @@ fn cell_is_the_one_of_exact_numbers() {
 fn ends_in_one_cell_stay_there_unless_the_curve_leaves_it() {
     let grid = Grid::new(Position::ORIGIN, Number::ONE.to_bits().unsigned_abs());
     let half = Checker::new([Number::ZERO; 3], [Number::new(0.5); 3]);
-    let checker = PreparedChecker::prepare(&half, &grid).unwrap();
+    let checker = PreparedChecker::prepare(&half, &grid, Length::from_bits(64)).unwrap();
     let at = |x: f64| grid.place(Position::new([x, 0.25, 0.25]));
     let steps = |length: f64| grid.length(Number::new(length)).to_bits();
     let is_one = |one, other, aside| checker.is_one_cell([at(one), at(other)], steps(aside));

@@ -16,6 +16,7 @@ mod between;
 mod marks;
 mod output;
 mod sink;
+mod tiles;
 
 pub(crate) use marks::{Marked, Marks, Unmarked};
 pub(super) use output::fill;
@@ -58,6 +59,9 @@ const SLOTS: usize = 6;
 
 /// The slot of a traced pixel whose hits are never read. No hit is stored there.
 const UNREAD: usize = SLOTS - 1;
+
+/// The same slot for hits that are read before another pixel is traced.
+const SCRATCH: usize = SLOTS;
 
 /// A traced pixel.
 #[derive(Clone, Copy)]

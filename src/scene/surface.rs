@@ -90,6 +90,16 @@ impl<'a> Surface<'a> {
         }
     }
 
+    /// Returns the surface as seen along `view`, from its viewer's side.
+    pub(crate) fn seen_along(self, view: Direction) -> Self {
+        let facing = (-view.dot(self.normal)).max(Unit::ZERO);
+        Self {
+            view,
+            facing,
+            ..self
+        }
+    }
+
     /// Returns the surface with the normal of a smooth shape at a near point on it, if it has one.
     #[inline(always)]
     fn bent(self, parts: &Parts<'_>, at: Point) -> Self {
@@ -113,21 +123,17 @@ impl<'a> Surface<'a> {
         }
     }
 
-    /// Returns the colour of the material's checker, if the surface lies in a cell of that colour.
+    /// If the material has a checker of more than one cell, returns whether the surface lies in a cell of the checker's
+    /// colour, and that colour.
     #[inline(always)]
-    pub(crate) fn checkered<W: SceneAccess>(&self, world: &W) -> Option<Color> {
-        let checker = self.checker(world)?;
-        checker.holds(self.place).then_some(checker.color)
-    }
-
-    /// Returns the checker of the material, if it has more than one cell.
-    #[inline(always)]
-    pub(crate) fn checker<'w, W: SceneAccess>(&self, world: &'w W) -> Option<&'w PreparedChecker> {
+    pub(crate) fn cell<W: SceneAccess>(&self, world: &W) -> Option<(bool, Color)> {
         if !W::NEEDS.checkers {
             return None;
         }
         let checker = world.parts().checker(self.number)?;
-        checker.has_cells().then_some(checker)
+        checker
+            .has_cells()
+            .then(|| (checker.holds(self.place), checker.color))
     }
 
     /// Returns the shape that rays from this point need not test: the surface's own. Returns

@@ -169,6 +169,7 @@ impl sealed::Shading for Normals {
         Lit {
             color: Color::new(surface.normal.components().map(halved)).in_levels(),
             lights: 0,
+            cell: None,
         }
     }
 

@@ -30,9 +30,11 @@ pub trait LightQuality {
 /// The colour of a surface without reflections, and the lights that shine on it.
 pub struct Lit {
     pub(crate) color: Color,
-    /// One bit for each light that shines on the surface, of 32. With more lights, two may share a bit. In a scene
-    /// with checkers, the first bit is that of the cell, which it shares with the last light.
+    /// One bit for each light that shines on the surface, of 32. With more lights, two may share a bit.
     pub(crate) lights: u32,
+    /// If the material has a checker: whether the surface lies in a cell of the checker's colour, and the colour that it
+    /// would have in a cell of the other kind.
+    pub(crate) cell: Option<(bool, Color)>,
 }
 
 /// Returns the light that a surface sends to the viewer: (ambient + Σ (diffuse n·l + specular
@@ -67,18 +69,19 @@ fn lit_color_by<W: SceneAccess, V: Visibility, H: Highlight, const PRECISE: bool
     for (index, light) in visibility.lights().iter().enumerate().skip(4) {
         received.ask::<W, V, H>(world, surface, visibility, (light, index));
     }
-    let checkered = surface.checkered(world);
-    let color = received.light.filtered(checkered.unwrap_or(material.color));
+    let shown = |color| match W::NEEDS.colors {
+        true => received.light.filtered(color),
+        // Then the compiler computes one of the three channels.
+        false => Color::grey(received.light.filtered(color).components()[0]),
+    };
+    let (color, cell) = match surface.cell(world) {
+        Some((true, color)) => (color, Some((true, material.color))),
+        cell => (material.color, cell),
+    };
     Lit {
-        color: match W::NEEDS.colors {
-            true => color,
-            // Then the compiler computes one of the three channels.
-            false => Color::grey(color.components()[0]),
-        },
-        lights: match W::NEEDS.checkers {
-            true => received.lights.rotate_left(1) ^ u32::from(checkered.is_some()),
-            false => received.lights,
-        },
+        color: shown(color),
+        lights: received.lights,
+        cell: cell.map(|(holds, other)| (holds, shown(other))),
     }
 }
 

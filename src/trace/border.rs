@@ -1,28 +1,26 @@
 //! The column at which a stretch is best divided. A wrong column costs time and changes nothing else: both parts are
 //! treated as any stretch is.
 
+use super::plane_line::{PlaneLine, coarse};
 use super::stops::Stop;
 use super::stretch::Between;
 use super::visibility::Culled;
 use super::{PathQuality, Progress, Stops, Tracer};
 use crate::accel::World;
-use crate::number::{
-    Unit, bit_modulo_32, narrowed_unsigned, ratio, root_of_square, scaled_by_unit, unsigned,
-};
+use crate::number::{bit_modulo_32, narrowed_unsigned, root_of_square, unsigned};
 use crate::ray::ScaledPoint;
 use crate::scene::Surface;
 use crate::shade::highlight::sealed::Shading;
 use crate::shape::plane::PreparedPlane;
-use crate::vector::{Direction, Point};
+use crate::vector::Point;
 
-/// Number of columns of the shortest stretch in which the border of a shadow or of a checker's cell is looked for. In a
-/// shorter one it is not worth the time, because little could be proved of the two parts.
+/// Number of columns of the shortest stretch in which the border of a shadow is looked for. In a shorter one it is
+/// not worth the time, because little could be proved of the two parts.
 const WORTHWHILE: u32 = 16;
 
 impl<W: World, K: Shading, Q: PathQuality> Tracer<'_, W, K, Q> {
     /// Returns the last column before a border between two traced pixels: where a shape begins or ends that kept `proved`
-    /// from going on, or else where a shape, a shadow or a checker's cell begins or ends that only one of the two pixels
-    /// shows, directly or in flat mirrors. `None` if no such column is known.
+    /// from going on, or else where a shape or a shadow begins or ends that only one of the two pixels shows, directly or in flat mirrors. `None` if no such column is known.
     #[inline(never)]
     pub(crate) fn border(
         &mut self,
@@ -50,13 +48,8 @@ impl<W: World, K: Shading, Q: PathQuality> Tracer<'_, W, K, Q> {
                 return is_listed.then(|| culling.border(self.world, mirror, between, shapes))?;
             }
             let plane = parts.plane(one.shape)?;
-            let is_long = last - first >= WORTHWHILE;
-            let one_cell = |place| self.is_one_cell(one.shape, [one.place, place], 0);
-            if W::NEEDS.checkers && is_long && !one_cell(other.place) {
-                let line = PlaneLine::new(self.culling.ahead()?, between.1, (paths, level))?;
-                return Some(line.last_column(one_cell));
-            }
             // A scene without bounded shapes links no code for their shadows.
+            let is_long = last - first >= WORTHWHILE;
             if parts.has_bounded() && is_long && one.lights != other.lights {
                 return self.shadow_border(between.1, (paths, level), plane);
             }
@@ -76,89 +69,20 @@ impl<W: World, K: Shading, Q: PathQuality> Tracer<'_, W, K, Q> {
     ) -> Option<u32> {
         let world = self.world;
         let [one, other] = [paths[0].get(level)?, paths[1].get(level)?];
-        // In a scene with checkers, the first bit says which cell is shown. The lights follow it.
-        let shift = u32::from(W::NEEDS.checkers);
-        let [lights, others] = [one, other].map(|stop| stop.lights.rotate_right(shift));
-        let index = (lights ^ others).trailing_zeros() as usize;
+        let index = (one.lights ^ other.lights).trailing_zeros() as usize;
         let light = world.tables().light_occluders.get(index)?;
         let line = PlaneLine::new(self.culling.ahead()?, columns, (paths, level))?;
+        if !(one.place.is_near() && other.place.is_near()) {
+            return None;
+        }
         let (parts, plane) = (world.parts(), (plane, one.shape, one.is_inside));
         let visibility = Culled::<W, Q>::new(world, self.visibility);
-        let is_lit = lights & bit_modulo_32(index) != 0;
+        let is_lit = one.lights & bit_modulo_32(index) != 0;
         Some(line.last_column(|place| {
             let surface = Surface::flat(&parts, plane, place);
             K::shines::<W, Q, _>(world, &surface, &visibility, (light, index)) == is_lit
         }))
     }
-}
-
-/// The straight line that a stretch shows of a plane, directly or behind flat mirrors.
-struct PlaneLine<'a> {
-    columns: [u32; 2],
-    /// The hits of the two columns.
-    ends: [&'a Stop; 2],
-    /// How far the two hits lie ahead of the eye, or of its image behind the mirrors, in any unit.
-    depths: [u32; 2],
-}
-
-impl<'a> PlaneLine<'a> {
-    /// Returns the line between the hits of two paths at this level. `None` if one is far.
-    #[inline(never)]
-    fn new(
-        (eye, ahead): (Point, Direction),
-        columns: [u32; 2],
-        (paths, level): ([&'a [Stop]; 2], usize),
-    ) -> Option<Self> {
-        let [one, other] = paths.map(|path| depth((eye, ahead), path.get(..=level)?));
-        let [(one, start), (other, end)] = [one?, other?];
-        Some(Self {
-            columns,
-            ends: [one, other],
-            depths: coarse([start, end]),
-        })
-    }
-
-    /// Returns the last column of those from the first on whose points are like the first one's, found by bisection.
-    #[inline(always)]
-    fn last_column(&self, is_like: impl Fn(ScaledPoint) -> bool) -> u32 {
-        let [mut before, mut after] = self.columns;
-        while after - before > 1 {
-            let column = before.midpoint(after);
-            match is_like(self.at(column)) {
-                true => before = column,
-                false => after = column,
-            }
-        }
-        before
-    }
-
-    /// Returns the point that a column between the two shows. It divides the line as the column divides the columns, each
-    /// part weighted with the depth of its end.
-    #[inline(never)]
-    fn at(&self, column: u32) -> ScaledPoint {
-        let ([first, last], [near, far]) = (self.columns, self.depths);
-        let [part, rest] = [(column - first) * near, (last - column) * far];
-        let share = Unit::from_bits(ratio(part, (part + rest).max(1)));
-        let [from, to] = self.ends.map(|end| end.place.point);
-        ScaledPoint::at(from.towards(to, share))
-    }
-}
-
-/// Returns the last hit of a path, and how far it lies ahead of the eye, or of the eye's image behind flat mirrors, in
-/// units of four steps. `None` if a hit is far.
-#[inline(never)]
-fn depth((eye, ahead): (Point, Direction), path: &[Stop]) -> Option<(&Stop, u32)> {
-    let (mut from, mut length, mut cosine) = (eye, 0, None);
-    for stop in path {
-        if !stop.place.is_near() {
-            return None;
-        }
-        let (direction, way) = from.to(stop.place.point).normalised();
-        cosine = cosine.or(Some(direction.dot(ahead)));
-        from = stop.place.point;
-        length += way.to_bits() >> 2;
-    }
-    Some((path.last()?, unsigned(scaled_by_unit(length, cosine?))))
 }
 
 /// Returns the last column before two planes meet: the first of two paths shows one of them at this level, the last
@@ -180,8 +104,10 @@ fn planes_meet(
         last_ray(eye, paths[0].get(..=level)?, planes)?,
         last_ray(eye, paths[1].get(..=level)?, [other, one])?,
     ];
-    // The length of each ray counts for the other side.
-    let factors = [[a[0], b[0]], [a[1], b[1]], [b[2], a[2]]].map(coarse);
+    // The length of each ray counts for the other side. A product of three numbers of eight bits and the length of a block
+    // fits 32 bits.
+    let factors =
+        [[a[0], b[0]], [a[1], b[1]], [b[2], a[2]]].map(|lengths| coarse(lengths.map(u64::from), 8));
     let [start, end] = [0, 1].map(|side| factors.iter().map(|it| it[side]).product::<u32>());
     Some((first + start * (last - first) / (start + end).max(1)).min(last - 1))
 }
@@ -205,12 +131,4 @@ fn last_ray(eye: ScaledPoint, path: &[Stop], planes: [&PreparedPlane; 2]) -> Opt
 fn height(plane: &PreparedPlane, at: Point) -> u32 {
     let height = (plane.height(at) >> 30).unsigned_abs();
     narrowed_unsigned(height.min(u32::MAX.into()))
-}
-
-/// Returns two numbers in eight bits, with their largest common scale: a product of three of them and the length of a
-/// block fits 32 bits.
-#[inline(never)]
-fn coarse(numbers: [u32; 2]) -> [u32; 2] {
-    let drop = 24_u32.saturating_sub((numbers[0] | numbers[1]).leading_zeros());
-    numbers.map(|number| number >> drop)
 }

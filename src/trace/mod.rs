@@ -7,8 +7,10 @@
 
 mod border;
 mod bounce;
+mod cells;
 mod lights;
 mod origin;
+mod plane_line;
 mod shown;
 mod stops;
 mod stretch;
@@ -20,6 +22,7 @@ use core::marker::PhantomData;
 
 use bounce::Bounce;
 pub(crate) use bounce::Pixel;
+pub(crate) use cells::Cells;
 use stops::STOPS;
 pub(crate) use stops::Stops;
 pub(crate) use stretch::Progress;
@@ -188,6 +191,7 @@ impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
         // Hits are stored from this throughput on: those that can be seen; none if nobody reads them.
         let least = is_read.then(|| world.parts().smallest_weight(Q::TOLERANCE));
         let least = least.unwrap_or(Unit::from_bits(i32::MAX));
+        let mut is_odd = false;
         let is_seen = |throughput| Self::IS_INTERPOLATED && throughput >= least;
         loop {
             let Some(surface) = self.surface(&mut pixel, &ray, &bounce) else {
@@ -203,6 +207,7 @@ impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
             if reflected < throughput && Self::has_own(world, &surface) {
                 let lit = self.shade(&surface);
                 lights = lit.lights;
+                is_odd ^= lit.cell.is_some_and(|(holds, _)| holds);
                 traced.add_own(throughput - reflected, &lit);
             }
             if is_seen(throughput) {
@@ -222,7 +227,7 @@ impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
             (bounce.mirror, bounce.skip) = (surface.shape, surface.skip(world));
         }
         self.rays += bounce.count + 1;
-        traced.signature = traced.signature.ended(is_bounded);
+        traced.signature = traced.signature.ended(is_bounded).in_cell(is_odd);
         traced
     }
 

@@ -37,6 +37,8 @@ pub(crate) struct Progress {
     pub(super) suspects: ShapeSet,
     /// Number of pixels that show how the colours of the proved hits change.
     pub(crate) samples: Samples,
+    /// The proved hit at which the paths show several cells of a plane's checker.
+    pub(crate) cells: Option<usize>,
     /// The last column before a shape that may come to the front, if the last proof failed because of it.
     pub(super) border: Option<u32>,
 }
@@ -48,6 +50,7 @@ impl Progress {
         steps: 0,
         suspects: *ShapeSet::ALL,
         samples: Samples::Three,
+        cells: None,
         border: None,
     };
 }
@@ -79,9 +82,13 @@ impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
                 return false;
             }
             if origin.level == proved.hits {
-                if let Err(steps) = self.keeps_shape(between, &origin, [first, last], proved) {
-                    proved.steps = steps;
-                    return false;
+                match self.keeps_shape(between, &origin, [first, last], proved) {
+                    Err(steps) => {
+                        proved.steps = steps;
+                        return false;
+                    }
+                    Ok(true) => {}
+                    Ok(false) => proved.cells = Some(origin.level),
                 }
                 (proved.hits, proved.steps) = (proved.hits + 1, 0);
             }
@@ -108,26 +115,29 @@ impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
         K::REFLECTS && self.world.parts().material(plane.material).mirrors()
     }
 
-    /// Tests whether all rays between two hit the same shape, lit by the same lights. `steps` are proved
-    /// before. Returns how many are if not all are.
+    /// Tests whether all rays between two hit the same shape, lit by the same lights, and whether they hit one cell of its
+    /// checker. `proved.steps` are proved before. Returns how many are if not all are.
     fn keeps_shape(
         &mut self,
         between: Between<'_>,
         origin: &Origin<'_>,
         stops: [&Stop; 2],
         proved: &mut Progress,
-    ) -> Result<(), usize> {
+    ) -> Result<bool, usize> {
         let steps = proved.steps;
         let [first, _] = stops;
         if first.shape == ShapeId::NONE {
-            return sure(self.keeps_none(between, origin, stops, proved), 0);
+            return sure(self.keeps_none(between, origin, stops, proved), 0).map(|()| true);
         }
         let Some(shown) = shown(self.world, origin.eye, origin.row, stops) else {
             return Err(steps);
         };
         let LitStretch { bulge, ends, .. } = shown.lit;
         let aside = if bulge > 0 { bulge + 8 } else { 0 };
-        if W::NEEDS.checkers && !self.is_one_cell(first.shape, ends, aside) {
+        let is_one_cell = !W::NEEDS.checkers || self.is_one_cell(first.shape, ends, aside);
+        // Cells may differ at one hit of the paths, on a plane.
+        let is_plane = || self.world.parts().plane(first.shape).is_some();
+        if !(is_one_cell || proved.cells.is_none() && is_plane()) {
             return Err(steps);
         }
         let keeps = steps > 0
@@ -137,7 +147,7 @@ impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
                 false => self.keeps_front(between, origin, (stops, &shown), proved),
             };
         sure(keeps, 0)?;
-        self.keeps_lights(&shown, proved)
+        self.keeps_lights(&shown, proved).map(|()| is_one_cell)
     }
 
     /// Tests whether all rays between two that hit nothing hit nothing, and show a sky that can be interpolated.
@@ -206,7 +216,7 @@ impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
 
     /// Tests whether a stretch of a shape lies in one cell of its material's checker. Its points are at most `aside` steps off
     /// the straight line between its ends. Cells are convex, so a flat one does if its ends do.
-    pub(super) fn is_one_cell(&self, shape: ShapeId, ends: [ScaledPoint; 2], aside: i32) -> bool {
+    fn is_one_cell(&self, shape: ShapeId, ends: [ScaledPoint; 2], aside: i32) -> bool {
         checker_of(self.world, shape).is_none_or(|checker| checker.is_one_cell(ends, aside))
     }
 

@@ -164,12 +164,7 @@ fn step<W: SceneAccess>(world: &W, met: &Met) -> Step {
     let parts = world.parts();
     let (kind, index) = shape_of(&parts, met.shape);
     let [weight, weight_after] = met.throughput.map(Unit::to_num::<f64>);
-    // In a scene with checkers, the first bit is that of the cell.
-    let (lights, bits) = match W::NEEDS.checkers {
-        true => (met.lights >> 1, 31),
-        false => (met.lights, 32),
-    };
-    let shines = |light: &usize| lights >> light & 1 == 1;
+    let shines = |light: &usize| met.lights >> light & 1 == 1;
     Step {
         kind,
         index,
@@ -179,7 +174,7 @@ fn step<W: SceneAccess>(world: &W, met: &Met) -> Step {
         weight,
         weight_after,
         color: shares(met.color),
-        lights: (0..parts.lights.len().min(bits)).filter(shines).collect(),
+        lights: (0..parts.lights.len().min(32)).filter(shines).collect(),
         sum: shares_of(met.sum),
         bound: weight_after * share(parts.brightest),
         from: place_of(world, met.from),

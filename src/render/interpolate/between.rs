@@ -22,7 +22,13 @@ impl<W: World, K: Shading, Q: Quality, M: Marks> Colors<'_, '_, W, K, Q, M> {
         while first + 1 < last {
             let ends = [&start, end];
             if self.is_steady([first, last], ends, &mut proved) {
-                self.interpolate([first, last], ends, (Bend::ZERO, proved.samples), sink);
+                let samples = proved.samples;
+                match proved.cells {
+                    Some(level) if W::NEEDS.checkers => {
+                        self.tiles([first, last], ends, (level, samples), sink);
+                    }
+                    _ => self.interpolate([first, last], ends, (Bend::ZERO, samples), sink),
+                }
                 break;
             }
             let Some([before, after]) = self.border([first, last], ends, &proved) else {
@@ -153,6 +159,6 @@ fn is_alike([start, end]: [&End; 2]) -> bool {
 
 /// Returns what the paths of two traced pixels hit.
 #[inline(always)]
-fn hits<'a>(stops: &'a [Stops; SLOTS], ends: [&End; 2]) -> [&'a Stops; 2] {
+pub(super) fn hits<'a>(stops: &'a [Stops; SLOTS], ends: [&End; 2]) -> [&'a Stops; 2] {
     ends.map(|end| &stops[end.slot.min(UNREAD)])
 }

@@ -1,7 +1,7 @@
 //! Finds the nearest hit of a ray in a scene, tests whether a ray is blocked, and offsets the hit point
 //! from its surface by epsilon. This file passes on the material and never computes a colour.
 
-use super::{Ray, Real, Shape, Vector};
+use super::{IS_CAREFUL, Ray, Real, Shape, Vector};
 
 macro_rules! scene {
     ($parameters:tt $({ $list:ident $kind:ident $described:ident $($more:tt)* })*) => {
@@ -227,9 +227,17 @@ pub struct Checker {
 }
 
 impl Checker {
-    /// Returns the cell in which a point lies, along each axis.
+    /// Returns the cell in which a point lies, along each axis. The reference takes a point just below a border as on it,
+    /// so that its rounding does not divide pixels that show a border.
     #[inline]
-    pub fn cell(&self, Vector([x, y, z]): Vector) -> [i32; 3] {
+    pub fn cell(&self, place: Vector) -> [i32; 3] {
+        let Vector([x, y, z]) = match IS_CAREFUL {
+            true => {
+                place
+                    + Vector::grey((place.0[0].abs() + place.0[1].abs() + place.0[2].abs()) * 1e-12)
+            }
+            false => place,
+        };
         let Vector([across, along, up]) = self.cells;
         [floor(x * across), floor(y * along), floor(z * up)]
     }

@@ -1,0 +1,109 @@
+//! The cells of a checker that the columns of a stretch show.
+
+use super::plane_line::PlaneLine;
+use super::{PathQuality, Stops, Tracer};
+use crate::accel::World;
+use crate::checker::{PLACES, PreparedChecker};
+use crate::color::Sum;
+use crate::number::{Unit, share};
+use crate::scene::Surface;
+use crate::scene::surface::checker_of;
+use crate::shade::highlight::sealed::Shading;
+
+/// The cells that the columns of a stretch show.
+#[derive(Clone, Copy)]
+pub(crate) struct Cells {
+    first: u32,
+    /// A bit for each column from `first` on. It is set where the checker's colour is seen.
+    bits: u64,
+}
+
+/// Largest number of borders of cells in a stretch.
+const MOST_BORDERS: i64 = 511;
+
+impl Cells {
+    /// Returns the cells along a line. `None` if there are more than [`MOST_BORDERS`] borders.
+    fn new(line: &PlaneLine<'_>, checker: &PreparedChecker) -> Option<Self> {
+        let [start, end] = line.ends.map(|stop| checker.places(stop.place));
+        let first = line.columns[0];
+        let mut cells = Self { first, bits: 0 };
+        for (from, to) in start.into_iter().zip(end) {
+            let [from_cell, low, high] = [from, from.min(to), from.max(to)].map(|it| it >> PLACES);
+            if high - low > MOST_BORDERS {
+                return None;
+            }
+            if from_cell & 1 != 0 {
+                cells.bits = !cells.bits;
+            }
+            for cell in low + 1..=high {
+                let border = cell << PLACES;
+                let parts = [from, to].map(|end| end.abs_diff(border));
+                let columns = line.columns_before(parts, from < to);
+                cells.bits ^= u64::MAX.checked_shl(columns).unwrap_or(0);
+            }
+        }
+        Some(cells)
+    }
+
+    /// Returns whether a column shows the checker's colour, and how many columns from there on show the same: at most
+    /// `most`, up to the end of the stretch.
+    pub(crate) fn run(self, column: u32, most: u32) -> (bool, u32) {
+        let bits = self.bits >> ((column - self.first) & 63);
+        let holds = bits & 1 != 0;
+        let other = if holds { !bits } else { bits };
+        (holds, other.trailing_zeros().min(most))
+    }
+}
+
+/// The two colours of a path that meets a checker at a known hit.
+#[derive(Clone, Copy)]
+pub(crate) struct Cell {
+    /// Whether it shows the checker's colour there.
+    pub(crate) holds: bool,
+    /// By how much more light comes along the path than if it showed a cell of the other kind.
+    pub(crate) change: Sum,
+}
+
+impl<W: World, K: Shading, Q: PathQuality> Tracer<'_, W, K, Q> {
+    /// Returns both colours of a path that hits a plane with a checker at this level, after flat mirrors.
+    #[inline(never)]
+    pub(crate) fn cell(&self, path: &Stops, level: usize) -> Option<Cell> {
+        let (world, parts) = (self.world, self.world.parts());
+        let (mut from, mut weight) = (self.visibility.from, Unit::ONE);
+        let (before, after) = path.all().split_at_checked(level)?;
+        for stop in before {
+            let mirror = parts.plane(stop.shape)?;
+            weight = share(weight, parts.material(mirror.material).mirror);
+            from = stop.place;
+        }
+        let stop = after.first()?;
+        let plane = (parts.plane(stop.shape)?, stop.shape, stop.is_inside);
+        let (view, _) = from.to(stop.place).0.normalised();
+        let surface = Surface::flat(&parts, plane, stop.place).seen_along(view);
+        let weight = weight - Self::reflected(world, &surface, weight);
+        let lit = self.shade(&surface);
+        let (holds, other) = lit.cell?;
+        let [own, other] = [lit.color, other].map(|color| {
+            let mut sum = Sum::ZERO;
+            sum.add(weight, color);
+            sum
+        });
+        let change = own.less(other);
+        Some(Cell { holds, change })
+    }
+
+    /// Returns which cells of a plane's checker are seen from the first of two columns to the one before the last. The two
+    /// paths hit the plane at this level, and all between do so. `None` if there are too many.
+    #[inline(never)]
+    pub(crate) fn cells(
+        &mut self,
+        columns: [u32; 2],
+        ends: [&Stops; 2],
+        level: usize,
+    ) -> Option<Cells> {
+        let paths = ends.map(Stops::all);
+        let checker = checker_of(self.world, paths[0].get(level)?.shape)?;
+        let line = PlaneLine::new(self.culling.ahead()?, columns, (paths, level))?;
+        Cells::new(&line, checker)
+    }
+}

@@ -1,0 +1,107 @@
+//! The straight line that a stretch shows of a plane: which point each column shows.
+
+use super::stops::Stop;
+use crate::number::{Unit, narrowed_unsigned, ratio, scaled_by_unit, signed, unsigned};
+use crate::ray::ScaledPoint;
+use crate::vector::{Direction, Point};
+
+/// What is so near to a point of a line counts as that point, as a share of the line: 2⁻²⁰.
+const TIE: i32 = 1 << 10;
+
+/// Largest scale of a way to a hit of which the line is known. The way is below 2⁴⁵ steps.
+const FURTHEST: u32 = 14;
+
+/// The straight line that a stretch shows of a plane, directly or behind flat mirrors.
+pub(super) struct PlaneLine<'a> {
+    pub(super) columns: [u32; 2],
+    /// The hits of the two columns.
+    pub(super) ends: [&'a Stop; 2],
+    /// How far the two hits lie ahead of the eye, or of its image behind the mirrors, in any unit, in 23 bits. So the
+    /// product with the length of a block is below 2²⁹.
+    depths: [u32; 2],
+}
+
+impl<'a> PlaneLine<'a> {
+    /// Returns the line between the hits of two paths at this level. `None` if a hit is further away than [`FURTHEST`].
+    #[inline(never)]
+    pub(super) fn new(
+        (eye, ahead): (Point, Direction),
+        columns: [u32; 2],
+        (paths, level): ([&'a [Stop]; 2], usize),
+    ) -> Option<Self> {
+        let [one, other] = paths.map(|path| length((eye, ahead), path.get(..=level)?));
+        let [(one, length, cosine), (other, end_length, end_cosine)] = [one?, other?];
+        let lengths = coarse([length, end_length], 31).map(signed);
+        let depths = [(lengths[0], cosine), (lengths[1], end_cosine)]
+            .map(|(length, cosine)| unsigned(scaled_by_unit(length, cosine)).into());
+        Some(Self {
+            columns,
+            ends: [one, other],
+            depths: coarse(depths, 23),
+        })
+    }
+
+    /// Returns the last column of those from the first on whose points are like the first one's, found by bisection.
+    #[inline(always)]
+    pub(super) fn last_column(&self, is_like: impl Fn(ScaledPoint) -> bool) -> u32 {
+        let [mut before, mut after] = self.columns;
+        while after - before > 1 {
+            let column = before.midpoint(after);
+            match is_like(self.at(column)) {
+                true => before = column,
+                false => after = column,
+            }
+        }
+        before
+    }
+
+    /// Returns how many columns, from the first on, show points before the one that divides the line in two parts of these
+    /// lengths, in any unit, below 2⁴⁰. One at least does. A column within 2⁻²⁰ of the line counts as behind that point if
+    /// `is_behind`, else as before it.
+    pub(super) fn columns_before(&self, parts: [u64; 2], is_behind: bool) -> u32 {
+        let ([before, after], [near, far]) = (parts, self.depths.map(u64::from));
+        let [part, rest] = [before * far, after * near];
+        let drop = 34_u32.saturating_sub((part + rest).leading_zeros());
+        let [part, rest] = [part, rest].map(|it| narrowed_unsigned(it >> drop));
+        let off = if is_behind { -TIE } else { TIE };
+        let share = Unit::from_bits((ratio(part, (part + rest).max(1)) + off).max(0));
+        let [first, last] = self.columns;
+        1 + unsigned(scaled_by_unit(signed(last - first), share))
+    }
+
+    /// Returns the point that a column between two near ones shows. It divides the line as the column divides the columns, each
+    /// part weighted with the depth of its end.
+    #[inline(never)]
+    pub(super) fn at(&self, column: u32) -> ScaledPoint {
+        let ([first, last], [near, far]) = (self.columns, self.depths);
+        let [part, rest] = [(column - first) * near, (last - column) * far];
+        let share = Unit::from_bits(ratio(part, (part + rest).max(1)));
+        let [from, to] = self.ends.map(|end| end.place.point);
+        ScaledPoint::at(from.towards(to, share))
+    }
+}
+
+/// Returns the last hit of a path, the length of the path, and the cosine of the angle between its first ray and the direction
+/// ahead. `None` if a hit is further away than [`FURTHEST`].
+#[inline(never)]
+fn length((eye, ahead): (Point, Direction), path: &[Stop]) -> Option<(&Stop, u64, Unit)> {
+    let (mut from, mut length, mut cosine) = (ScaledPoint::at(eye), 0, None);
+    for stop in path {
+        let (way, scale) = from.to(stop.place);
+        if scale > FURTHEST {
+            return None;
+        }
+        let (direction, way) = way.normalised();
+        cosine = cosine.or(Some(direction.dot(ahead)));
+        from = stop.place;
+        length += u64::from(unsigned(way.to_bits())) << scale;
+    }
+    Some((path.last()?, length, cosine?))
+}
+
+/// Returns two numbers in so many bits, with their largest common scale.
+#[inline(never)]
+pub(super) fn coarse(numbers: [u64; 2], bits: u32) -> [u32; 2] {
+    let drop = (64 - bits).saturating_sub((numbers[0] | numbers[1]).leading_zeros());
+    numbers.map(|number| narrowed_unsigned(number >> drop))
+}
