@@ -18,7 +18,6 @@ pub use report::Report;
 pub(crate) use report::light_cut_off;
 pub use smooth::Seam;
 
-pub(crate) use interpolate::Buffer;
 use interpolate::Colors;
 #[cfg(feature = "host")]
 pub(crate) use interpolate::block_of;

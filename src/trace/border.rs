@@ -71,10 +71,10 @@ impl<W: World, K: Shading, Q: PathQuality> Tracer<'_, W, K, Q> {
         let [one, other] = [paths[0].get(level)?, paths[1].get(level)?];
         let index = (one.lights ^ other.lights).trailing_zeros() as usize;
         let light = world.tables().light_occluders.get(index)?;
-        let line = PlaneLine::new(self.culling.ahead()?, columns, (paths, level))?;
         if !(one.place.is_near() && other.place.is_near()) {
             return None;
         }
+        let line = PlaneLine::new(self.culling.ahead()?, columns, (paths, level))?;
         let (parts, plane) = (world.parts(), (plane, one.shape, one.is_inside));
         let visibility = Culled::<W, Q>::new(world, self.visibility);
         let is_lit = one.lights & bit_modulo_32(index) != 0;

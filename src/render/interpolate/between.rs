@@ -1,8 +1,8 @@
 //! Floor 7: the colours between two traced pixels of a block: interpolated, or divided further.
 
-use super::{Colors, EARNED, End, Marks, SHORTEST, SLOTS, Sink, UNREAD};
+use super::{Colors, EARNED, End, Marks, Pixels, SHORTEST, SLOTS, UNREAD};
 use crate::accel::World;
-use crate::color::{Bend, Parabola};
+use crate::color::{Bend, Parabola, Sum};
 use crate::render::Quality;
 use crate::shade::Samples;
 use crate::shade::highlight::sealed::Shading;
@@ -11,12 +11,12 @@ use crate::trace::{Progress, Stops};
 impl<W: World, K: Shading, Q: Quality, M: Marks> Colors<'_, '_, W, K, Q, M> {
     /// Sets the colours of all columns between two. `ends` are the traced pixels at these two columns, whose own colours
     /// the caller sets.
-    pub(super) fn between(
+    pub(super) fn between<C: Copy>(
         &mut self,
         [mut first, last]: [u32; 2],
         [outer, end]: [&End; 2],
         mut proved: Progress,
-        sink: &mut impl Sink,
+        pixels: &mut Pixels<'_, C, impl Fn(Sum) -> C>,
     ) {
         let mut start = *outer;
         while first + 1 < last {
@@ -25,20 +25,20 @@ impl<W: World, K: Shading, Q: Quality, M: Marks> Colors<'_, '_, W, K, Q, M> {
                 let samples = proved.samples;
                 match proved.cells {
                     Some(level) if W::NEEDS.checkers => {
-                        self.tiles([first, last], ends, (level, samples), sink);
+                        self.tiles([first, last], ends, (level, samples), pixels);
                     }
-                    _ => self.interpolate([first, last], ends, (Bend::ZERO, samples), sink),
+                    _ => self.interpolate([first, last], ends, (Bend::ZERO, samples), pixels),
                 }
                 break;
             }
             let Some([before, after]) = self.border([first, last], ends, &proved) else {
-                self.trace_each(first + 1, last, sink);
+                self.trace_each(first + 1, last, pixels);
                 break;
             };
             let mut middle = start;
             if first < before {
-                middle = self.traced_end(before, sink);
-                self.between([first, before], [&start, &middle], proved, sink);
+                middle = self.traced_end(before, pixels);
+                self.between([first, before], [&start, &middle], proved, pixels);
                 self.release(&start, outer);
             }
             if before < after {
@@ -46,7 +46,7 @@ impl<W: World, K: Shading, Q: Quality, M: Marks> Colors<'_, '_, W, K, Q, M> {
                 if after == last {
                     return;
                 }
-                middle = self.traced_end(after, sink);
+                middle = self.traced_end(after, pixels);
             }
             (first, start) = (after, middle);
         }
@@ -92,11 +92,15 @@ impl<W: World, K: Shading, Q: Quality, M: Marks> Colors<'_, '_, W, K, Q, M> {
 
     /// Traces the pixel of a column, sets its colour, and stores its hits in a free slot. There is one.
     #[inline(never)]
-    fn traced_end(&mut self, column: u32, sink: &mut impl Sink) -> End {
+    fn traced_end<C: Copy>(
+        &mut self,
+        column: u32,
+        pixels: &mut Pixels<'_, C, impl Fn(Sum) -> C>,
+    ) -> End {
         let slot = self.free.trailing_zeros();
         self.free &= !(1 << slot);
         let end = self.trace(column, slot as usize);
-        self.set(column, end.traced, sink);
+        self.set(column, end.traced, pixels);
         end
     }
 
@@ -110,12 +114,12 @@ impl<W: World, K: Shading, Q: Quality, M: Marks> Colors<'_, '_, W, K, Q, M> {
 
     /// Computes the colours between two traced pixels of one path, or of paths that differ in what cannot be seen. The
     /// second difference of the three is expected to be this. `samples` says how many have to be traced at least.
-    fn interpolate(
+    fn interpolate<C: Copy>(
         &mut self,
         [first, last]: [u32; 2],
         ends: [&End; 2],
         (expected, samples): (Bend, Samples),
-        sink: &mut impl Sink,
+        pixels: &mut Pixels<'_, C, impl Fn(Sum) -> C>,
     ) {
         let ([start, end], length) = (ends, last - first);
         let is_smooth = is_alike(ends) && samples == Samples::Three;
@@ -129,7 +133,7 @@ impl<W: World, K: Shading, Q: Quality, M: Marks> Colors<'_, '_, W, K, Q, M> {
                 true => middle.sum = middle.sum.half_way(end.traced.sum, expected),
                 false => middle = self.trace(first + 1, UNREAD).traced,
             }
-            return self.set(first + 1, middle, sink);
+            return self.set(first + 1, middle, pixels);
         }
         let half = length / 2;
         let middle = self.trace(first + half, UNREAD);
@@ -140,14 +144,14 @@ impl<W: World, K: Shading, Q: Quality, M: Marks> Colors<'_, '_, W, K, Q, M> {
         let most = if length > 32 { 2 } else { 4 };
         if is_smooth && bend.less(expected).is_within(most * Self::TOLERANCE) {
             self.marks.fill(first, length, start.traced.signature);
-            return sink.set_curve(first, length, curve);
+            return pixels.set_curve(first, length, curve);
         }
         let expected = |length: u32| (curve.bend((length / 2).max(1)), Samples::Three);
         let part = expected(half);
-        self.interpolate([first, first + half], [start, &middle], part, sink);
-        self.set(first + half, middle.traced, sink);
+        self.interpolate([first, first + half], [start, &middle], part, pixels);
+        self.set(first + half, middle.traced, pixels);
         let rest = expected(length - half);
-        self.interpolate([first + half, last], [&middle, end], rest, sink);
+        self.interpolate([first + half, last], [&middle, end], rest, pixels);
     }
 }
 
