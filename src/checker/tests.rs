@@ -44,6 +44,30 @@ fn cell_is_the_one_of_exact_numbers() {
 }
 
 #[test]
+fn point_just_below_a_border_counts_as_on_it_unless_epsilon_is_as_small() {
+    let grid = Grid::new(Position::ORIGIN, Number::ONE.to_bits().unsigned_abs());
+    let half = Checker::new(
+        [Number::ZERO; 3],
+        [Number::new(0.5), Number::ZERO, Number::ZERO],
+    );
+    let holds = |epsilon, scale, below: i32| {
+        let checker = PreparedChecker::prepare(&half, &grid, Length::from_bits(epsilon)).unwrap();
+        let at = ScaledPoint::at(Point::new(-below, 0, 0));
+        checker.holds(ScaledPoint { scale, ..at })
+    };
+    // The cell below 0 is odd.
+    assert_eq!(
+        [0, 1, 3, 4].map(|below| holds(64, 0, below)),
+        [false, false, false, true]
+    );
+    assert_eq!(
+        [4, 5, 6, 7].map(|scale| holds(64, scale, 3)),
+        [false, true, true, true]
+    );
+    assert!(!holds(4, 0, 1) && holds(3, 0, 1));
+}
+
+#[test]
 fn ends_in_one_cell_stay_there_unless_the_curve_leaves_it() {
     let grid = Grid::new(Position::ORIGIN, Number::ONE.to_bits().unsigned_abs());
     let half = Checker::new([Number::ZERO; 3], [Number::new(0.5); 3]);

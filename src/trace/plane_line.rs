@@ -105,3 +105,57 @@ pub(super) fn coarse(numbers: [u64; 2], bits: u32) -> [u32; 2] {
     let drop = (64 - bits).saturating_sub((numbers[0] | numbers[1]).leading_zeros());
     numbers.map(|number| narrowed_unsigned(number >> drop))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::Stops;
+    use super::*;
+    use crate::number::sweep::Sweep;
+
+    /// Returns how many columns show points before one, found for depths in steps.
+    fn before(depths: [u32; 2], length: u32, parts: [u64; 2], is_behind: bool) -> u32 {
+        let mut stops = Stops::NONE;
+        stops.add(None, Direction::X);
+        let [stop] = stops.all() else { unreachable!() };
+        let line = PlaneLine {
+            columns: [7, 7 + length],
+            ends: [stop; 2],
+            depths: coarse(depths.map(u64::from), 23),
+        };
+        line.columns_before(parts, is_behind)
+    }
+
+    #[test]
+    fn columns_before_a_point_are_those_of_exact_numbers() {
+        let mut sweep = Sweep::new(0x1f83_d9ab_fb41_bd6b);
+        for _ in 0..100_000 {
+            let mut some = |most| sweep.within(1, most).unsigned_abs();
+            let (length, depths) = (some(64), [some(1 << 30), some(1 << 30)]);
+            let parts = [some(1 << 30), some(1 << 30)].map(|it| u64::from(it) << 9);
+            let [near, far] = [
+                depths[0] as f64 * parts[1] as f64,
+                depths[1] as f64 * parts[0] as f64,
+            ];
+            let border = f64::from(length) * far / (near + far);
+            // A depth that is much less than the other has fewer bits.
+            let [less, more] = [depths[0].min(depths[1]), depths[0].max(depths[1])];
+            let off = 2e-4 + 1e-5 * f64::from(more) / f64::from(less);
+            let found = f64::from(before(depths, length, parts, some(2) == 1));
+            assert!(
+                found - 1.0 <= border + off && border - off <= found,
+                "{found} {border}"
+            );
+        }
+    }
+
+    #[test]
+    fn column_at_a_point_is_on_the_side_that_is_asked_for() {
+        for (length, at) in [(2, 1), (10, 3), (64, 1), (64, 63)] {
+            for depths in [[1 << 20; 2], [3 << 20, 5 << 20], [1 << 26, 1 << 20]] {
+                let parts = [at * depths[0], (length - at) * depths[1]].map(u64::from);
+                assert_eq!(before(depths, length, parts, true), at);
+                assert_eq!(before(depths, length, parts, false), at + 1);
+            }
+        }
+    }
+}
