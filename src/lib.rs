@@ -215,6 +215,7 @@ pub mod host;
 mod light;
 mod material;
 mod number;
+mod qualities;
 mod ray;
 mod render;
 mod scene;
@@ -244,7 +245,8 @@ pub use vector::Position;
 
 /// Qualities: types that say how exact a picture is, and which approximations a frame uses.
 pub mod quality {
-    pub use crate::render::{Exact, Fast, Quality, Seam, Small, Smooth};
+    pub use crate::qualities::{Exact, Fast, Quality, Small, Smooth};
+    pub use crate::render::Seam;
 }
 
 /// Shading models: types that say how the colour of a surface is computed.

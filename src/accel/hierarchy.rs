@@ -18,8 +18,9 @@ mod build;
 
 pub(super) use build::{fill, has_mesh, is_useful};
 
-use super::{CullingQuality, World};
+use super::World;
 use crate::number::{Length, high, to_u32};
+use crate::qualities::Quality;
 use crate::ray::{REACH, Ray};
 use crate::scene::access::{SceneAccess, ShapeId};
 use crate::scene::nearest::{Hit, NOWHERE, nearest_of};
@@ -181,7 +182,7 @@ fn of_all<W: SceneAccess>(world: &W, ray: &Ray, skip: ShapeId) -> Hit {
 
 /// Tests whether rays of `Q` ask the hierarchy of a scene.
 #[inline(always)]
-pub(crate) fn is_used<W: World, Q: CullingQuality>(world: &W) -> bool {
+pub(crate) fn is_used<W: World, Q: Quality>(world: &W) -> bool {
     W::IS_CROWD && Q::CULLING.hierarchy && !world.tables().hierarchy.is_empty()
 }
 

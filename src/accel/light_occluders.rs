@@ -5,11 +5,12 @@
 //! shadow test of a sphere then needs no root. The result differs from the plain test only where rounding decides, by a
 //! few steps of the grid: the ray runs from the light to the surface, not from the surface to the light.
 
+use super::World;
 use super::hierarchy;
 use super::light_table::light_set;
-use super::{CullingQuality, World};
 use crate::light::PreparedLight;
 use crate::number::Length;
+use crate::qualities::Quality;
 use crate::ray::{Ray, ScaledPoint};
 use crate::scene::access::ShapeId;
 use crate::scene::shape_set::{SETS, ShapeSet};
@@ -188,7 +189,7 @@ impl<R: Capacity> LightOccluders<R> {
 /// a few steps before the surface, because hits are known only to a few steps. So a shape does not
 /// occlude a point on its own surface.
 #[inline(always)]
-pub(crate) fn occluded<W: World, Q: CullingQuality, const PRECISE: bool>(
+pub(crate) fn occluded<W: World, Q: Quality, const PRECISE: bool>(
     world: &W,
     surface: &Surface<'_>,
     (light, index): (&LightOccluders<W::Room>, usize),

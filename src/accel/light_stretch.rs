@@ -3,10 +3,11 @@
 //! The points lie almost on a straight line. So the light's rays to them form a fan. Bound: docs/internals/edges.md
 //! proves the rules by which a shape surely hides all points of the fan, or none.
 
+use super::World;
 use super::light_occluders::LightOccluders;
 use super::light_table::rays_set;
-use super::{CullingQuality, World};
 use crate::number::Length;
+use crate::qualities::Quality;
 use crate::ray::ScaledPoint;
 use crate::scene::access::ShapeId;
 use crate::scene::shape_set::ShapeSet;
@@ -33,7 +34,7 @@ pub(crate) struct LitStretch {
 /// The stretch faces the light.
 ///
 /// `light` is the light and its index, `rays` its rays to the ends of the stretch.
-pub(crate) fn lights_all<W: World, Q: CullingQuality>(
+pub(crate) fn lights_all<W: World, Q: Quality>(
     world: &W,
     (light, index): (&LightOccluders<W::Room>, usize),
     stretch: &LitStretch,

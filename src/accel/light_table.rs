@@ -5,9 +5,10 @@
 //! once, at most 64: 1 KB a light. Bound: the radius of each ball is widened by 2⁻¹² of it and 16 steps. A
 //! cylinder's wall is covered by a chain of balls.
 
+use super::World;
 use super::cap::{Cap, SIDE, cell, cell_of, cells_between};
-use super::{CullingQuality, World};
 use crate::number::{Unit, signed, to_u8, to_u32};
+use crate::qualities::Quality;
 use crate::ray::ScaledPoint;
 use crate::scene::shape_set::{SetLayout, ShapeSet};
 use crate::scene::{FEW, Parts};
@@ -215,11 +216,7 @@ impl LightTable {
 
 /// Returns the bounded shapes that rays from a light to a curve can hit, by the light's index. `spread`
 /// bounds these rays.
-pub(super) fn rays_set<W: World, Q: CullingQuality>(
-    world: &W,
-    light: usize,
-    spread: &Spread,
-) -> ShapeSet {
+pub(super) fn rays_set<W: World, Q: Quality>(world: &W, light: usize, spread: &Spread) -> ShapeSet {
     table_of::<W, Q>(world, light).map_or(*ShapeSet::ALL, |table| {
         table.between(spread.ends, spread.aside)
     })
@@ -228,7 +225,7 @@ pub(super) fn rays_set<W: World, Q: CullingQuality>(
 /// Returns the bounded shapes in a direction from a light, by the light's index. Returns all shapes if
 /// the light has no table or `Q` does not use tables.
 #[inline(always)]
-pub(crate) fn light_set<W: World, Q: CullingQuality>(
+pub(crate) fn light_set<W: World, Q: Quality>(
     world: &W,
     light: usize,
     direction: Direction,
@@ -238,7 +235,7 @@ pub(crate) fn light_set<W: World, Q: CullingQuality>(
 
 /// Returns the table of a light, if it has one and `Q` uses tables.
 #[inline(always)]
-fn table_of<W: World, Q: CullingQuality>(world: &W, light: usize) -> Option<&LightTable> {
+fn table_of<W: World, Q: Quality>(world: &W, light: usize) -> Option<&LightTable> {
     let is_used = W::NEEDS.sets && Q::CULLING.light_tables && world.parts().bounded() > FEW;
     is_used.then(|| world.tables().light_tables.get(light))?
 }

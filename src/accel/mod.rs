@@ -47,6 +47,7 @@ use light_table::LightTable;
 
 use crate::color::LONGEST;
 use crate::number::to_u32;
+use crate::qualities::Quality;
 use crate::ray::Ray;
 use crate::scene::access::{SceneAccess, ShapeId};
 use crate::scene::nearest::{Hit, NOWHERE, nearest_of};
@@ -56,62 +57,10 @@ use crate::scene::nearest::{Hit, NOWHERE, nearest_of};
 /// A parabola reaches over all of them.
 pub(crate) const LONGEST_BLOCK: u32 = to_u32(LONGEST);
 
-/// Switches of the culling techniques.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Culling {
-    /// Whether the shapes are prepared for the views from the camera and from the lights: camera rays test only those whose
-    /// [`screen_bounds`] contain the pixel, and shadows are computed from the light's side ([`light_occluders`],
-    /// [`light_visibility`]).
-    pub(crate) views: bool,
-    /// Whether shadow rays test only the shapes that [`light_table`] lists for their direction.
-    pub(crate) light_tables: bool,
-    /// Whether rays that no table covers test only the shapes in the balls of the [`hierarchy`] that they
-    /// meet.
-    pub(crate) hierarchy: bool,
-    /// Whether the plain path tests only the shapes that a row can show ([`row_list`]) and those in a
-    /// light's direction ([`light_lists`]). Techniques above replace it.
-    pub(crate) lists: bool,
-}
-
-impl Culling {
-    /// Switches with every technique on.
-    pub(crate) const ALL: Self = Self {
-        views: true,
-        light_tables: true,
-        hierarchy: true,
-        lists: false,
-    };
-
-    /// Switches with every technique off: the plain path, which tests every shape.
-    pub(crate) const NONE: Self = Self {
-        views: false,
-        light_tables: false,
-        hierarchy: false,
-        lists: false,
-    };
-
-    /// Switches of the plain path with its lists of candidates.
-    pub(crate) const LISTS: Self = Self {
-        lists: true,
-        ..Self::NONE
-    };
-
-    /// Tests whether a technique is on that replaces the plain path. The lists do not.
-    pub(crate) const fn is_any(self) -> bool {
-        self.views || self.light_tables || self.hierarchy
-    }
-}
-
-/// The part of a quality that says which culling techniques are used.
-pub trait CullingQuality {
-    /// Culling techniques that frames of this quality use.
-    const CULLING: Culling;
-}
-
 /// Returns the nearest bounded shape hit by a ray that leaves `mirror`: tests the shapes near the ray if the scene has
 /// a hierarchy, else all. `skip` is the shape that the ray leaves from outside.
 #[inline(always)]
-pub(crate) fn nearest_ahead<W: World, Q: CullingQuality>(
+pub(crate) fn nearest_ahead<W: World, Q: Quality>(
     world: &W,
     ray: &Ray,
     (mirror, skip): (ShapeId, ShapeId),

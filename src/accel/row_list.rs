@@ -7,10 +7,10 @@
 //! one, so |n · w| is at most 6 |w|, and 10 after w is brought to length one. So a point on a ray is off
 //! the plane by at most 10 / |n| of its distance; 16 / |n| are allowed.
 
-use super::CullingQuality;
 use super::screen_axis::widened;
 use crate::camera::RowDirections;
 use crate::number::{unsigned, unsigned_wide, wide};
+use crate::qualities::Quality;
 use crate::ray::ScaledPoint;
 use crate::scene::FEW;
 use crate::scene::access::SceneAccess;
@@ -20,7 +20,7 @@ use crate::vector::{Point, Vector};
 /// Returns the bounded shapes that the rays of a camera at `from` through a row can hit. Returns all shapes
 /// if `Q` does not use lists, if there are few, or if the camera is far.
 #[inline(always)]
-pub(crate) fn row_list<W: SceneAccess, Q: CullingQuality>(
+pub(crate) fn row_list<W: SceneAccess, Q: Quality>(
     world: &W,
     from: ScaledPoint,
     directions: &RowDirections,

@@ -9,7 +9,7 @@ use embedded_graphics::primitives::Rectangle;
 use super::Enlarged;
 use crate::accel::drawable::Drawable;
 use crate::number::{Unit, signed};
-use crate::render::{Exact, Fast, Quality};
+use crate::qualities::{Exact, Fast, Quality};
 use crate::render::{FrameBuilder, Report};
 use crate::shade::Shading;
 

@@ -11,7 +11,8 @@ use embedded_graphics::primitives::Rectangle;
 
 use crate::accel::drawable::Drawable;
 use crate::number::signed;
-use crate::render::{FrameBuilder, Quality, Report};
+use crate::qualities::Quality;
+use crate::render::{FrameBuilder, Report};
 use crate::shade::Shading;
 
 /// Rows that each row of the first pass covers.

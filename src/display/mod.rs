@@ -22,7 +22,8 @@ use embedded_graphics::transform::Transform;
 use crate::accel::drawable::Drawable;
 use crate::color::{LONGEST, Sum};
 use crate::number::unsigned;
-use crate::render::{FrameBuilder, PreparedFrame, Quality, Report, Rows, Seam};
+use crate::qualities::Quality;
+use crate::render::{FrameBuilder, PreparedFrame, Report, Rows, Seam};
 use crate::shade::Shading;
 
 /// Widest picture with smooth edges of which [`Rows::draw_area`] keeps what a row leaves to the next one, in parts of 32

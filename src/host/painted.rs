@@ -9,7 +9,8 @@ use embedded_graphics::prelude::Size;
 
 use super::reference::Picture;
 use crate::accel::drawable::Drawable;
-use crate::render::{Quality, Rows, Seam};
+use crate::qualities::Quality;
+use crate::render::{Rows, Seam};
 use crate::shade::Shading;
 
 /// Draws a frame, row by row, and returns it as a [`Picture`] that can be compared with others.

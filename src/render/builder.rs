@@ -6,7 +6,7 @@ use super::PreparedFrame;
 use crate::accel::drawable::{Drawable, Everything};
 use crate::accel::{ActiveRoom, Apart, Limited, MovingScene, Scene, Tabled};
 use crate::camera::Camera;
-use crate::render::{Fast, Quality};
+use crate::qualities::{Fast, Quality};
 use crate::scene::NeedsLimit;
 use crate::shade::{BlinnPhong, Shading};
 

@@ -25,7 +25,7 @@ use crate::accel::{LONGEST_BLOCK, Window, World};
 use crate::camera::RowDirections;
 use crate::color::Sum;
 use crate::number::{Unit, to_u32};
-use crate::render::Quality;
+use crate::qualities::Quality;
 use crate::render::smooth::CHUNK;
 use crate::shade::highlight::sealed::Shading;
 use crate::trace::{Pixel, Progress, Stops, Traced, Tracer};

@@ -5,7 +5,6 @@
 mod builder;
 mod interpolate;
 mod prepared;
-mod quality;
 mod report;
 mod smooth;
 #[cfg(feature = "files")]
@@ -13,7 +12,6 @@ mod walk;
 
 pub use builder::FrameBuilder;
 pub use prepared::{PreparedFrame, Rows};
-pub use quality::{Exact, Fast, Quality, Small, Smooth};
 pub use report::Report;
 pub(crate) use report::light_cut_off;
 pub use smooth::Seam;

@@ -4,8 +4,7 @@ use core::marker::PhantomData;
 
 use super::interpolate::fill;
 use super::smooth::Line;
-use super::{Colors, Fast, Quality, Report};
-use crate::accel::CullingQuality;
+use super::{Colors, Report};
 use crate::accel::drawable::Drawable;
 use crate::accel::light_visibility::LightVisibility;
 use crate::accel::row_list::row_list;
@@ -15,6 +14,7 @@ use crate::camera::{Camera, RayGenerator, RowDirections};
 use crate::color::Sum;
 use crate::error::Error;
 use crate::error_kind::ErrorKind;
+use crate::qualities::{Fast, Quality};
 use crate::ray::ScaledPoint;
 use crate::scene::access::SceneAccess;
 use crate::shade::{BlinnPhong, Shading};

@@ -20,13 +20,14 @@ mod places;
 mod walker;
 
 use super::interpolate::Colors;
-use super::{Quality, Report, Rows};
+use super::{Report, Rows};
 use crate::accel::World;
 use crate::accel::drawable::Drawable;
 use crate::accel::thin::shows_thin;
 use crate::camera::RayGenerator;
 use crate::color::{Levels, Sum};
 use crate::number::to_u32;
+use crate::qualities::Quality;
 use crate::shade::Shading;
 use crate::shade::highlight::sealed;
 use chunk::Chunk;

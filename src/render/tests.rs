@@ -1,8 +1,9 @@
 //! Tests of frames whose rows need no tracing, or seem to need none, and of how few pixels are traced.
 
-use super::{Exact, Fast, FrameBuilder, Quality};
+use super::FrameBuilder;
 use crate::camera::Camera;
 use crate::material::Material;
+use crate::qualities::{Exact, Fast, Quality};
 use crate::scene::{Room, RuntimeScene};
 use crate::shade::BlinnPhong;
 

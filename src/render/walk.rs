@@ -3,8 +3,9 @@
 use alloc::vec::Vec;
 use core::ops::Range;
 
-use super::{Quality, Rows};
+use super::Rows;
 use crate::accel::drawable::Drawable;
+use crate::qualities::Quality;
 use crate::shade::Shading;
 use crate::trace::Walked;
 

@@ -3,13 +3,14 @@
 use core::marker::PhantomData;
 
 use super::smooth::{Glance, Samples, begins_sharply, may_begin, quarter, samples};
-use super::{LightQuality, Lit, Visibility, lit_color, strength_of};
+use super::{Lit, Visibility, lit_color, strength_of};
 use crate::background::Beyond;
 use crate::color::{Color, halved};
 use crate::number::{
     Brightness, Exponent, Unit, even_power, high_unsigned, narrowed, offset_modulo_2_32, power,
     ratio, root_of_unit, scaled_by_unit, unsigned, whole_power,
 };
+use crate::qualities::Quality;
 use crate::scene::access::SceneAccess;
 use crate::scene::{Shininess, Surface};
 use crate::vector::{Direction, Vector};
@@ -36,9 +37,10 @@ impl<T: sealed::Shading> Shading for T {}
 
 pub(crate) mod sealed {
     use super::super::smooth::{Glance, Samples};
-    use super::super::{LightQuality, Lit, Visibility};
+    use super::super::{Lit, Visibility};
     use crate::background::Beyond;
     use crate::number::Exponent;
+    use crate::qualities::Quality;
     use crate::scene::Surface;
     use crate::scene::access::SceneAccess;
     use crate::vector::Direction;
@@ -54,14 +56,14 @@ pub(crate) mod sealed {
         const TURNS: u32;
 
         /// Returns the colour of a surface without reflections, and the lights that shine on it.
-        fn color<W: SceneAccess, Q: LightQuality, V: Visibility>(
+        fn color<W: SceneAccess, Q: Quality, V: Visibility>(
             world: &W,
             surface: &Surface<'_>,
             visibility: &V,
         ) -> Lit;
 
         /// Tests whether a light shines on a surface. Defaults to `false`: a view of normals has no lights.
-        fn shines<W: SceneAccess, Q: LightQuality, V: Visibility>(
+        fn shines<W: SceneAccess, Q: Quality, V: Visibility>(
             _world: &W,
             _surface: &Surface<'_>,
             _visibility: &V,
@@ -120,7 +122,7 @@ impl<H: Highlight> sealed::Shading for H {
     const TURNS: u32 = <H as Highlight>::TURNS;
 
     #[inline(always)]
-    fn color<W: SceneAccess, Q: LightQuality, V: Visibility>(
+    fn color<W: SceneAccess, Q: Quality, V: Visibility>(
         world: &W,
         surface: &Surface<'_>,
         visibility: &V,
@@ -129,7 +131,7 @@ impl<H: Highlight> sealed::Shading for H {
     }
 
     #[inline(always)]
-    fn shines<W: SceneAccess, Q: LightQuality, V: Visibility>(
+    fn shines<W: SceneAccess, Q: Quality, V: Visibility>(
         world: &W,
         surface: &Surface<'_>,
         visibility: &V,
@@ -161,7 +163,7 @@ impl sealed::Shading for Normals {
     const SHADOWS: bool = false;
     const TURNS: u32 = 0;
 
-    fn color<W: SceneAccess, Q: LightQuality, V: Visibility>(
+    fn color<W: SceneAccess, Q: Quality, V: Visibility>(
         _: &W,
         surface: &Surface<'_>,
         _: &V,

@@ -15,17 +15,12 @@ use highlight::{Cosines, Highlight};
 use crate::color::{Color, Lighting};
 use crate::light::PreparedLight;
 use crate::number::{Brightness, Length, Unit, bit_modulo_32, lit};
+use crate::qualities::Quality;
 use crate::ray::{REACH, ScaledPoint, ScaledRay};
 use crate::scene::Surface;
 use crate::scene::access::SceneAccess;
 use crate::scene::planes::for_first_four;
 use crate::vector::Direction;
-
-/// The part of a quality that says how exactly light is computed.
-pub trait LightQuality {
-    /// Whether light is computed to 2⁻²⁶ of white, and shadows are exact where shapes touch.
-    const IS_PRECISE: bool;
-}
 
 /// The colour of a surface without reflections, and the lights that shine on it.
 pub struct Lit {
@@ -40,7 +35,7 @@ pub struct Lit {
 /// Returns the light that a surface sends to the viewer: (ambient + Σ (diffuse n·l + specular
 /// sˢʰⁱⁿⁱⁿᵉˢˢ) · light) · colour of the material. The sum is over all visible lights.
 #[inline(always)]
-fn lit_color<W: SceneAccess, Q: LightQuality, V: Visibility, H: Highlight>(
+fn lit_color<W: SceneAccess, Q: Quality, V: Visibility, H: Highlight>(
     world: &W,
     surface: &Surface<'_>,
     visibility: &V,

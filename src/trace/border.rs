@@ -5,9 +5,10 @@ use super::plane_line::{PlaneLine, coarse};
 use super::stops::Stop;
 use super::stretch::Between;
 use super::visibility::Culled;
-use super::{PathQuality, Progress, Stops, Tracer};
+use super::{Progress, Stops, Tracer};
 use crate::accel::World;
 use crate::number::{bit_modulo_32, narrowed_unsigned, root_of_square, unsigned};
+use crate::qualities::Quality;
 use crate::ray::ScaledPoint;
 use crate::scene::Surface;
 use crate::shade::highlight::sealed::Shading;
@@ -18,7 +19,7 @@ use crate::vector::Point;
 /// not worth the time, because little could be proved of the two parts.
 const WORTHWHILE: u32 = 16;
 
-impl<W: World, K: Shading, Q: PathQuality> Tracer<'_, W, K, Q> {
+impl<W: World, K: Shading, Q: Quality> Tracer<'_, W, K, Q> {
     /// Returns the last column before a border between two traced pixels: where a shape begins or ends that kept `proved`
     /// from going on, or else where a shape or a shadow begins or ends that only one of the two pixels shows, directly or in flat mirrors. `None` if no such column is known.
     #[inline(never)]

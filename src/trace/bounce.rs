@@ -1,7 +1,8 @@
 //! What a ray hits first, as a camera ray or after reflections.
 
-use super::{PathQuality, Tracer};
+use super::Tracer;
 use crate::accel::{Beside, Window, World, nearest_ahead};
+use crate::qualities::Quality;
 use crate::ray::{Ray, ScaledPoint, ScaledRay};
 use crate::scene::FEW;
 use crate::scene::access::ShapeId;
@@ -38,7 +39,7 @@ impl Bounce {
     };
 }
 
-impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
+impl<'a, W: World, K: Shading, Q: Quality> Tracer<'a, W, K, Q> {
     /// Returns the surface that a ray hits first, `None` if it hits nothing. `pixel` is that of the path.
     #[inline(always)]
     pub(super) fn surface(

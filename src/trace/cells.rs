@@ -1,11 +1,12 @@
 //! The cells of a checker that the columns of a stretch show.
 
 use super::plane_line::PlaneLine;
-use super::{PathQuality, Stops, Tracer};
+use super::{Stops, Tracer};
 use crate::accel::World;
 use crate::checker::{PLACES, PreparedChecker};
 use crate::color::Sum;
 use crate::number::{Unit, share};
+use crate::qualities::Quality;
 use crate::scene::Surface;
 use crate::scene::surface::checker_of;
 use crate::shade::highlight::sealed::Shading;
@@ -64,7 +65,7 @@ pub(crate) struct Cell {
     pub(crate) change: Sum,
 }
 
-impl<W: World, K: Shading, Q: PathQuality> Tracer<'_, W, K, Q> {
+impl<W: World, K: Shading, Q: Quality> Tracer<'_, W, K, Q> {
     /// Returns both colours of a path that hits a plane with a checker at this level, after flat mirrors.
     #[inline(never)]
     pub(crate) fn cell(&self, path: &Stops, level: usize) -> Option<Cell> {

@@ -3,17 +3,18 @@
 
 use super::shown::Shown;
 use super::stretch::{LARGEST_TURN, sure};
-use super::{PathQuality, Progress, Tracer};
+use super::{Progress, Tracer};
 use crate::accel::light_occluders::LightOccluders;
 use crate::accel::{World, far_lights_all, lights_all};
 use crate::number::{Brightness, Unit};
+use crate::qualities::Quality;
 use crate::ray::ScaledPoint;
 use crate::scene::shape_set::ShapeSet;
 use crate::shade::Samples;
 use crate::shade::highlight::sealed::Shading;
 use crate::shape::rays::Rays;
 
-impl<W: World, K: Shading, Q: PathQuality> Tracer<'_, W, K, Q> {
+impl<W: World, K: Shading, Q: Quality> Tracer<'_, W, K, Q> {
     /// Tests whether each light surely shines on a whole stretch or on nothing of it. Raises `proved.samples`
     /// to the number of pixels that show how it shines. If a light is not proved, returns how many steps are; if that
     /// light is far, `proved.suspects` are the shapes that may hide it.

@@ -35,26 +35,17 @@ pub(crate) use walk::{Met, Walked};
 use crate::accel::light_visibility::LightVisibility;
 use crate::accel::row_list::row_list;
 use crate::accel::screen_culling::ScreenCulling;
-use crate::accel::{CullingQuality, Window, World};
+use crate::accel::{Window, World};
 use crate::camera::RowDirections;
 use crate::color::Sum;
 use crate::number::{Unit, share};
+use crate::qualities::Quality;
 use crate::ray::{PathSignature, RowPlane, ScaledRay};
 use crate::scene::shape_set::ShapeSet;
 use crate::scene::{Mirrors, Surface};
+use crate::shade::Lit;
 use crate::shade::highlight::sealed::Shading;
-use crate::shade::{LightQuality, Lit};
 use crate::vector::{Direction, Vector};
-
-/// The part of a quality that says how exactly paths are followed.
-pub trait PathQuality: CullingQuality + LightQuality {
-    /// Smallest brightness that a path still follows, as a share of white. A path ends when its
-    /// throughput times the brightest colour of the scene falls below it.
-    const SMALLEST_WEIGHT: Unit;
-
-    /// Tolerance of interpolated pixels, as a share of white. If it is 0, every pixel is traced.
-    const TOLERANCE: Unit;
-}
 
 /// The result of a path: its colour, and its signature, a hash of what it hit.
 #[derive(Clone, Copy, Debug)]
@@ -79,11 +70,12 @@ impl Traced {
         missed
     }
 
-    /// Adds the colour of a surface without reflections.
+    /// Adds the colour of a surface without reflections. Returns whether it is that of a checker.
     #[inline(always)]
-    fn add_own(&mut self, weight: Unit, lit: &Lit) {
+    fn add_own(&mut self, weight: Unit, lit: &Lit) -> bool {
         self.signature.note(lit.lights);
         self.sum.add(weight, lit.color);
+        lit.cell.is_some_and(|(holds, _)| holds)
     }
 
     /// Adds what a ray shows that hits nothing.
@@ -113,7 +105,7 @@ pub(crate) struct Tracer<'a, W: World, K, Q> {
     kinds: PhantomData<(K, Q)>,
 }
 
-impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
+impl<'a, W: World, K: Shading, Q: Quality> Tracer<'a, W, K, Q> {
     /// Whether no culling is used and every pixel is traced. A branch on this constant compiles one side only.
     pub(crate) const IS_PLAIN: bool = !Q::CULLING.is_any();
 
@@ -185,13 +177,12 @@ impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
     ) -> Traced {
         let world = self.world;
         let mut ray = ScaledRay::new(self.visibility.from, direction);
-        let mut traced = Traced::NONE;
+        let (mut traced, mut is_odd) = (Traced::NONE, false);
         stops.clear();
         let (mut throughput, mut bounce, mut is_bounded) = (Unit::ONE, Bounce::NONE, true);
         // Hits are stored from this throughput on: those that can be seen; none if nobody reads them.
         let least = is_read.then(|| world.parts().smallest_weight(Q::TOLERANCE));
         let least = least.unwrap_or(Unit::from_bits(i32::MAX));
-        let mut is_odd = false;
         let is_seen = |throughput| Self::IS_INTERPOLATED && throughput >= least;
         loop {
             let Some(surface) = self.surface(&mut pixel, &ray, &bounce) else {
@@ -207,8 +198,7 @@ impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
             if reflected < throughput && Self::has_own(world, &surface) {
                 let lit = self.shade(&surface);
                 lights = lit.lights;
-                is_odd ^= lit.cell.is_some_and(|(holds, _)| holds);
-                traced.add_own(throughput - reflected, &lit);
+                is_odd ^= traced.add_own(throughput - reflected, &lit);
             }
             if is_seen(throughput) {
                 stops.add(Some((&surface, lights)), surface.view);

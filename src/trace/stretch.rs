@@ -6,10 +6,11 @@
 use super::origin::Origin;
 use super::shown::{Shown, shown};
 use super::stops::Stop;
-use super::{PathQuality, Stops, Tracer};
+use super::{Stops, Tracer};
 use crate::accel::stretch::{Body, Chord, Stretch};
 use crate::accel::{LitStretch, Window, World, is_clear_way};
 use crate::number::Unit;
+use crate::qualities::Quality;
 use crate::ray::ScaledPoint;
 use crate::scene::access::ShapeId;
 use crate::scene::shape_set::ShapeSet;
@@ -55,7 +56,7 @@ impl Progress {
     };
 }
 
-impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
+impl<'a, W: World, K: Shading, Q: Quality> Tracer<'a, W, K, Q> {
     /// Tests whether all paths between two traced ones surely meet the same shapes, lit by the same lights, as
     /// far as the paths have known bounds. The two have equal signatures. `proved` is known before, and gets
     /// what is proved now.

@@ -2,13 +2,12 @@ mod accumulation;
 mod inside;
 mod leaving;
 mod light;
-pub(crate) mod qualities;
 mod series;
 
 use crate::scene::Room;
 use std::vec::Vec;
 
-use qualities::{Exact, Fast, Small};
+use crate::qualities::{Exact, Fast, Small};
 
 use super::*;
 use crate::accel::Scene;
@@ -58,7 +57,7 @@ struct Followed {
 }
 
 /// Follows one path. Every ray tests every shape of the scene.
-fn followed_by<K: Shading, Q: PathQuality, W: World>(
+fn followed_by<K: Shading, Q: Quality, W: World>(
     world: &W,
     path: ScaledRay,
     reflections: u8,
@@ -86,7 +85,7 @@ fn followed_by<K: Shading, Q: PathQuality, W: World>(
 }
 
 /// Follows paths from inside of the room in many directions. Returns one result for each.
-fn followed<Q: PathQuality>(room: &Scene<Room<1, 0, 0, 0, 1>>, reflections: u8) -> Vec<Followed> {
+fn followed<Q: Quality>(room: &Scene<Room<1, 0, 0, 0, 1>>, reflections: u8) -> Vec<Followed> {
     let parts = room.parts();
     let mut sweep = Sweep::new(u64::from(reflections));
     let paths = (0..40).map(|_| {

@@ -2,13 +2,14 @@
 
 use core::marker::PhantomData;
 
+use crate::accel::World;
 use crate::accel::hierarchy;
 use crate::accel::light_occluders::{self, LightOccluders};
 use crate::accel::light_table::light_set;
 use crate::accel::light_visibility::LightVisibility;
-use crate::accel::{CullingQuality, World};
 use crate::light::PreparedLight;
 use crate::number::Length;
+use crate::qualities::Quality;
 use crate::ray::{REACH, Ray, ScaledPoint, ScaledRay};
 use crate::scene::Surface;
 use crate::scene::nearest::any_ahead;
@@ -24,7 +25,7 @@ pub(super) struct Plain<'a, W, Q> {
     quality: PhantomData<Q>,
 }
 
-impl<'a, W: World, Q: CullingQuality> Plain<'a, W, Q> {
+impl<'a, W: World, Q: Quality> Plain<'a, W, Q> {
     /// Returns the visibility of the lights of a scene.
     #[inline(always)]
     pub(super) const fn new(world: &'a W) -> Self {
@@ -45,7 +46,7 @@ impl<'a, W: World, Q: CullingQuality> Plain<'a, W, Q> {
     }
 }
 
-impl<W: World, Q: CullingQuality> Visibility for Plain<'_, W, Q> {
+impl<W: World, Q: Quality> Visibility for Plain<'_, W, Q> {
     type Light = PreparedLight;
     const IS_KNOWN: bool = false;
 
@@ -98,7 +99,7 @@ impl<'a, W, Q> Culled<'a, W, Q> {
     }
 }
 
-impl<W: World, Q: CullingQuality> Visibility for Culled<'_, W, Q> {
+impl<W: World, Q: Quality> Visibility for Culled<'_, W, Q> {
     type Light = LightOccluders<W::Room>;
     const IS_KNOWN: bool = true;
 

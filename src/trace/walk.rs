@@ -3,11 +3,12 @@
 
 use alloc::vec::Vec;
 
+use super::Tracer;
 use super::bounce::{Bounce, Pixel};
-use super::{PathQuality, Tracer};
 use crate::accel::{Window, World};
 use crate::color::{Color, Sum};
 use crate::number::Unit;
+use crate::qualities::Quality;
 use crate::ray::{ScaledPoint, ScaledRay};
 use crate::scene::access::ShapeId;
 use crate::shade::highlight::sealed::Shading;
@@ -53,7 +54,7 @@ pub enum End {
     LastReflection,
 }
 
-impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
+impl<'a, W: World, K: Shading, Q: Quality> Tracer<'a, W, K, Q> {
     /// Follows the path of a pixel.
     pub(crate) fn walk(&mut self, pixel: (&Window, u32), direction: Direction) -> Walked {
         let (world, mut steps) = (self.world, Vec::new());

@@ -22,6 +22,7 @@ const FLOORS: [&[&str]; 9] = [
         "background",
         "checker",
         "material",
+        "qualities",
         "light",
         "shape",
         "camera",

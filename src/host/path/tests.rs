@@ -8,7 +8,7 @@ use super::*;
 use crate::FrameBuilder;
 use crate::host::file::{FileScene, built};
 use crate::host::reference;
-use crate::render::Exact;
+use crate::qualities::Exact;
 use crate::scenes::{self, BuiltIn, Empty, Floor, Mirror1, Visitor};
 use crate::shade::{BlinnPhong, Phong, Shading};
 

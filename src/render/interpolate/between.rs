@@ -3,7 +3,7 @@
 use super::{Colors, EARNED, End, Marks, Pixels, SHORTEST, SLOTS, UNREAD};
 use crate::accel::World;
 use crate::color::{Bend, Parabola, Sum};
-use crate::render::Quality;
+use crate::qualities::Quality;
 use crate::shade::Samples;
 use crate::shade::highlight::sealed::Shading;
 use crate::trace::{Progress, Stops};

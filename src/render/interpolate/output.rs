@@ -6,7 +6,7 @@ use crate::accel::World;
 use crate::camera::RayGenerator;
 use crate::color::{Parabola, Sum};
 use crate::number::to_u32;
-use crate::render::Quality;
+use crate::qualities::Quality;
 use crate::shade::highlight::sealed::Shading;
 use crate::trace::{Traced, Tracer};
 use crate::vector::Direction;

@@ -7,7 +7,7 @@ use super::walker::Walker;
 use super::{CHUNK, ChunkColors};
 use crate::accel::World;
 use crate::number::{low_word, to_u8, to_u32};
-use crate::render::Quality;
+use crate::qualities::Quality;
 use crate::render::interpolate::fill;
 use crate::shade::highlight::sealed::Shading;
 

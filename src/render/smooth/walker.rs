@@ -7,7 +7,7 @@ use crate::accel::World;
 use crate::camera::RayGenerator;
 use crate::color::Levels;
 use crate::number::{signed, to_u8, unsigned};
-use crate::render::Quality;
+use crate::qualities::Quality;
 use crate::render::interpolate::{Colors, Marked};
 use crate::shade::highlight::sealed::Shading;
 

@@ -5,21 +5,18 @@ use super::super::Mirror1;
 use super::*;
 use crate::accel::light_lists::LightLists;
 use crate::accel::row_list::row_list;
-use crate::accel::{Culling, CullingQuality, HierarchyNode, Tables};
+use crate::accel::{HierarchyNode, Tables};
 use crate::color::Sum;
+use crate::qualities::{Culling, Quality};
 use crate::ray::PathSignature;
 use crate::scene::{Needs, Parts};
-use crate::shade::LightQuality;
-use crate::trace::PathQuality;
 
 /// The quality [`Fast`] with light tables and the hierarchy switched on or off. No path is cut short.
 struct With<const LIGHT_TABLES: bool, const HIERARCHY: bool = true>;
 
-impl<const L: bool, const H: bool> LightQuality for With<L, H> {
-    const IS_PRECISE: bool = <Fast as LightQuality>::IS_PRECISE;
-}
-
-impl<const L: bool, const H: bool> CullingQuality for With<L, H> {
+impl<const L: bool, const H: bool> Quality for With<L, H> {
+    const SMALLEST_WEIGHT: Unit = Unit::DELTA;
+    const TOLERANCE: Unit = Fast::TOLERANCE;
     const CULLING: Culling = Culling {
         light_tables: L,
         hierarchy: H,
@@ -27,55 +24,33 @@ impl<const L: bool, const H: bool> CullingQuality for With<L, H> {
     };
 }
 
-impl<const L: bool, const H: bool> PathQuality for With<L, H> {
-    const SMALLEST_WEIGHT: Unit = Unit::DELTA;
-    const TOLERANCE: Unit = <Fast as PathQuality>::TOLERANCE;
-}
-
 /// The quality [`Fast`] with all culling switched off: the plain path. No path is cut short.
 struct PlainPath;
 
-impl LightQuality for PlainPath {
-    const IS_PRECISE: bool = <Fast as LightQuality>::IS_PRECISE;
-}
-
-impl CullingQuality for PlainPath {
-    const CULLING: Culling = Culling::NONE;
-}
-
-impl PathQuality for PlainPath {
+impl Quality for PlainPath {
     const SMALLEST_WEIGHT: Unit = Unit::DELTA;
-    const TOLERANCE: Unit = <Fast as PathQuality>::TOLERANCE;
+    const TOLERANCE: Unit = Fast::TOLERANCE;
+    const CULLING: Culling = Culling::NONE;
 }
 
 /// The quality [`PlainPath`] with its lists of candidates.
 struct Listed;
 
-impl LightQuality for Listed {
-    const IS_PRECISE: bool = <PlainPath as LightQuality>::IS_PRECISE;
-}
-
-impl CullingQuality for Listed {
+impl Quality for Listed {
+    const SMALLEST_WEIGHT: Unit = Unit::DELTA;
+    const TOLERANCE: Unit = Fast::TOLERANCE;
     const CULLING: Culling = Culling::LISTS;
 }
 
-impl PathQuality for Listed {
-    const SMALLEST_WEIGHT: Unit = <PlainPath as PathQuality>::SMALLEST_WEIGHT;
-    const TOLERANCE: Unit = <PlainPath as PathQuality>::TOLERANCE;
-}
-
 /// Returns the sum and the signature of the path through each pixel. Camera rays test every shape.
-fn traced<W: World, Q: PathQuality>(
-    world: &W,
-    camera: &Camera,
-) -> std::vec::Vec<(Sum, PathSignature)> {
+fn traced<W: World, Q: Quality>(world: &W, camera: &Camera) -> std::vec::Vec<(Sum, PathSignature)> {
     let from = world.parts().grid.place(camera.description().position);
     traced_by::<W, Q>(world, camera, &LightVisibility::new(world, from))
 }
 
 /// Returns the sum and the signature of the path through each pixel, with the given visibility of the
 /// lights. Camera rays test every shape.
-fn traced_by<W: World, Q: PathQuality>(
+fn traced_by<W: World, Q: Quality>(
     world: &W,
     camera: &Camera,
     view: &LightVisibility,

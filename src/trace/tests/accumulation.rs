@@ -3,16 +3,16 @@
 use std::vec::Vec;
 
 use super::Scenery;
-use super::qualities::{Exact, Fast};
+
 use super::series::{Chain, recursion};
 use super::{Followed, followed_by, path};
 use crate::color::Sum;
 use crate::material::{Material, PreparedMaterial};
 use crate::number::sweep::Sweep;
 use crate::number::{Unit, share};
+use crate::qualities::{Exact, Fast, Quality};
 use crate::scene::access::SceneAccess;
 use crate::shade::BlinnPhong;
-use crate::trace::PathQuality;
 use crate::vector::Position;
 
 /// Number of steps of a sum that make white: 255/256 of 2²⁴.

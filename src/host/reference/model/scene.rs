@@ -227,17 +227,11 @@ pub struct Checker {
 }
 
 impl Checker {
-    /// Returns the cell in which a point lies, along each axis. The reference takes a point just below a border as on it,
-    /// so that its rounding does not divide pixels that show a border.
+    /// Returns the cell in which a point lies, along each axis. To the reference, a point just below a border is on it.
     #[inline]
     pub fn cell(&self, place: Vector) -> [i32; 3] {
-        let Vector([x, y, z]) = match IS_CAREFUL {
-            true => {
-                place
-                    + Vector::grey((place.0[0].abs() + place.0[1].abs() + place.0[2].abs()) * 1e-12)
-            }
-            false => place,
-        };
+        let off = place.0.map(Real::abs).iter().sum::<Real>() * 1e-12;
+        let Vector([x, y, z]) = [place, place + Vector::grey(off)][usize::from(IS_CAREFUL)];
         let Vector([across, along, up]) = self.cells;
         [floor(x * across), floor(y * along), floor(z * up)]
     }

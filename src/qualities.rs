@@ -1,14 +1,8 @@
-//! Floor 7: qualities: types that say how exact a picture is. The choice costs no time while a frame is
-//! drawn.
-//!
-//! Each floor declares its own part of a quality. [`Quality`] joins them for users.
+//! Floor 2: qualities: types that say how exact a picture is. The choice costs no time while a frame is drawn.
 
 use core::marker::PhantomData;
 
-use crate::accel::{Culling, CullingQuality};
 use crate::number::Unit;
-use crate::shade::LightQuality;
-use crate::trace::PathQuality;
 
 /// A quality: how exact a frame is, as a type. [`FrameBuilder::quality`](crate::FrameBuilder::quality)
 /// sets it.
@@ -61,6 +55,59 @@ pub trait Quality {
 
     /// How smooth edges are: 1, 2 or 4. Defaults to 1: they are jagged. [`Smooth`] sets it.
     const SMOOTHNESS: u32 = 1;
+
+    /// Culling techniques that frames of this quality use.
+    #[doc(hidden)]
+    const CULLING: Culling = match Self::IS_SMALL {
+        true => Culling::LISTS,
+        false => Culling::ALL,
+    };
+}
+
+/// Switches of the culling techniques.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Culling {
+    /// Whether the shapes are prepared for the views from the camera and from the lights: camera rays test only those whose
+    /// [`screen_bounds`](crate::accel::screen_bounds) contain the pixel, and shadows are computed from the light's side ([`light_occluders`](crate::accel::light_occluders),
+    /// [`light_visibility`](crate::accel::light_visibility)).
+    pub(crate) views: bool,
+    /// Whether shadow rays test only the shapes that [`light_table`](crate::accel::light_table) lists for their direction.
+    pub(crate) light_tables: bool,
+    /// Whether rays that no table covers test only the shapes in the balls of the [`hierarchy`](crate::accel::hierarchy) that they
+    /// meet.
+    pub(crate) hierarchy: bool,
+    /// Whether the plain path tests only the shapes that a row can show ([`row_list`](crate::accel::row_list)) and those in a
+    /// light's direction ([`light_lists`](crate::accel::light_lists)). Techniques above replace it.
+    pub(crate) lists: bool,
+}
+
+impl Culling {
+    /// Switches with every technique on.
+    pub(crate) const ALL: Self = Self {
+        views: true,
+        light_tables: true,
+        hierarchy: true,
+        lists: false,
+    };
+
+    /// Switches with every technique off: the plain path, which tests every shape.
+    pub(crate) const NONE: Self = Self {
+        views: false,
+        light_tables: false,
+        hierarchy: false,
+        lists: false,
+    };
+
+    /// Switches of the plain path with its lists of candidates.
+    pub(crate) const LISTS: Self = Self {
+        lists: true,
+        ..Self::NONE
+    };
+
+    /// Tests whether a technique is on that replaces the plain path. The lists do not.
+    pub(crate) const fn is_any(self) -> bool {
+        self.views || self.light_tables || self.hierarchy
+    }
 }
 
 /// A quality with smooth edges: each pixel is the mean of what its area shows, as far as the corners of pixels tell. `K` is 2
@@ -119,7 +166,7 @@ impl Quality for Fast {
 pub struct Small;
 
 impl Quality for Small {
-    const SMALLEST_WEIGHT: Unit = <Fast as Quality>::SMALLEST_WEIGHT;
+    const SMALLEST_WEIGHT: Unit = Fast::SMALLEST_WEIGHT;
     const TOLERANCE: Unit = Unit::ZERO;
     const IS_SMALL: bool = true;
 }
@@ -137,22 +184,3 @@ impl Quality for Exact {
     const TOLERANCE: Unit = Unit::ZERO;
     const IS_PRECISE: bool = true;
 }
-
-impl<Q: Quality> LightQuality for Q {
-    const IS_PRECISE: bool = <Q as Quality>::IS_PRECISE;
-}
-
-impl<Q: Quality> CullingQuality for Q {
-    const CULLING: Culling = match Q::IS_SMALL {
-        true => Culling::LISTS,
-        false => Culling::ALL,
-    };
-}
-
-impl<Q: Quality> PathQuality for Q {
-    const SMALLEST_WEIGHT: Unit = <Q as Quality>::SMALLEST_WEIGHT;
-    const TOLERANCE: Unit = <Q as Quality>::TOLERANCE;
-}
-
-#[cfg(test)]
-mod tests;
