@@ -5,11 +5,11 @@ use crate::error_kind::ErrorKind;
 use crate::grid::Grid;
 use crate::material::{are_same, is_color};
 use crate::number::{
-    Length, Number, leading_zeros, low_word, narrowed, narrowed_128, narrowed_unsigned,
-    narrowed_unsigned_128, sum_modulo_2_32, twos_complement, unsigned, wide,
+    Number, low_word, narrowed, narrowed_128, narrowed_unsigned, narrowed_unsigned_128,
+    sum_modulo_2_32, twos_complement, wide,
 };
 use crate::ray::ScaledPoint;
-use crate::vector::{Point, Position};
+use crate::vector::Position;
 
 /// Checker of a material as the user describes it: space is divided into cells, and every other cell has the
 /// checker's colour instead of the material's.
@@ -67,16 +67,14 @@ pub struct PreparedChecker {
     /// Colour of every other cell, scaled by [`Color::in_levels`].
     pub(crate) color: Color,
     axes: [Axis; 3],
-    /// Number of scales, from 0 on, at which epsilon is more than [`TIE`] steps. At others no point counts as on a border,
-    /// because the surface of which it is a point may be the border.
-    tied: u32,
 }
 
 /// Number of fraction bits of a place in cells.
 pub(crate) const PLACES: u32 = 31;
 
-/// A point so many steps below a border counts as on it, so that rounding does not divide pixels that show a border.
-const TIE: i32 = 3;
+/// A point so many steps below a border counts as on it, so that rounding does not divide pixels that show a border. It is
+/// less than the smallest epsilon.
+const TIE: i128 = 1;
 
 /// The cells along one axis.
 #[derive(Clone, Copy, Debug)]
@@ -86,7 +84,7 @@ struct Axis {
     cells: i32,
     /// At most 31.
     shift: u32,
-    /// Place of the grid's middle in cells, modulo 2, with [`PLACES`] fraction bits.
+    /// Place of the grid's middle in cells, [`TIE`] steps further, modulo 2, with [`PLACES`] fraction bits.
     middle: u32,
 }
 
@@ -95,20 +93,13 @@ impl PreparedChecker {
     pub(crate) const NONE: Self = Self {
         color: Color::BLACK,
         axes: [Axis::NONE; 3],
-        tied: 0,
     };
 
-    /// Converts a checker that was checked to the scene's grid, with its epsilon. Fails with [`ErrorKind::Checker`] if a cell
+    /// Converts a checker that was checked to the scene's grid. Fails with [`ErrorKind::Checker`] if a cell
     /// is smaller than two steps, or larger than 2⁴⁴.
-    pub(crate) const fn prepare(
-        checker: &Checker,
-        grid: &Grid,
-        epsilon: Length,
-    ) -> Result<Self, ErrorKind> {
-        let bits = 32 - leading_zeros(unsigned(epsilon.to_bits()));
+    pub(crate) const fn prepare(checker: &Checker, grid: &Grid) -> Result<Self, ErrorKind> {
         let mut prepared = Self {
             color: Color::from_numbers(checker.color).in_levels(),
-            tied: bits.saturating_sub(2),
             ..Self::NONE
         };
         let mut axis = 0;
@@ -131,25 +122,17 @@ impl PreparedChecker {
         x.cells | y.cells | z.cells != 0
     }
 
-    /// Returns a point moved over a border that it counts as on.
-    #[inline(always)]
-    fn tied(&self, ScaledPoint { point, scale }: ScaledPoint) -> ScaledPoint {
-        let tie = if scale < self.tied { TIE } else { 0 };
-        let point = Point::new(point.x + tie, point.y + tie, point.z + tie);
-        ScaledPoint { point, scale }
-    }
-
     /// Tests whether a point lies in a cell of the checker's colour.
     #[inline(always)]
-    pub(crate) fn holds(&self, place: ScaledPoint) -> bool {
-        let (ScaledPoint { point, scale }, [x, y, z]) = (self.tied(place), &self.axes);
+    pub(crate) fn holds(&self, ScaledPoint { point, scale }: ScaledPoint) -> bool {
+        let [x, y, z] = &self.axes;
         let odd = x.is_odd(point.x, scale) ^ y.is_odd(point.y, scale);
         odd ^ z.is_odd(point.z, scale)
     }
 
     /// Returns the place of a point along each axis: counted in cells, with [`PLACES`] fraction bits.
-    pub(crate) fn places(&self, place: ScaledPoint) -> [i64; 3] {
-        let (ScaledPoint { point, scale }, [x, y, z]) = (self.tied(place), &self.axes);
+    pub(crate) fn places(&self, ScaledPoint { point, scale }: ScaledPoint) -> [i64; 3] {
+        let [x, y, z] = &self.axes;
         [
             x.counted(point.x, scale),
             y.counted(point.y, scale),
@@ -159,8 +142,7 @@ impl PreparedChecker {
 
     /// Tests whether all points between two lie in one cell, also if each is off the line between them by up to
     /// `aside` steps.
-    pub(crate) fn is_one_cell(&self, ends: [ScaledPoint; 2], aside: i32) -> bool {
-        let [one, other] = ends.map(|end| self.tied(end));
+    pub(crate) fn is_one_cell(&self, [one, other]: [ScaledPoint; 2], aside: i32) -> bool {
         let ends = [
             (one.point.x, other.point.x),
             (one.point.y, other.point.y),
@@ -197,7 +179,7 @@ impl Axis {
         Some(Self {
             cells: narrowed(narrowed_128((1 << (bits + 29)) / size)) >> beyond,
             shift: shift - beyond,
-            middle: modulo_2((middle.to_bits() << PLACES).div_euclid(size)),
+            middle: modulo_2(((middle.to_bits() + (TIE << drop)) << PLACES).div_euclid(size)),
         })
     }
 

@@ -2,6 +2,7 @@
 
 use super::*;
 use crate::number::sweep::Sweep;
+use crate::vector::Point;
 
 /// The cell of a point next to whose coordinate there is no border within `off` scene units.
 fn parity(point: [f64; 3], size: [f64; 3], off: f64) -> Option<bool> {
@@ -28,7 +29,7 @@ fn cell_is_the_one_of_exact_numbers() {
         let mut size = random.place().map(|it| extent * 10_f64.powf(3.0 * it));
         size[0] *= f64::from(random.within(0, 1));
         let checker = Checker::new([Number::ZERO; 3], size.map(Number::new));
-        let checker = PreparedChecker::prepare(&checker, &grid, Length::from_bits(64)).unwrap();
+        let checker = PreparedChecker::prepare(&checker, &grid).unwrap();
         let offset = random.place().map(|it| it * 3.0 * extent);
         let point = [0, 1, 2].map(|axis| middle[axis] + offset[axis]);
         let found = checker.holds(grid.place(Position::new(point)));
@@ -44,34 +45,20 @@ fn cell_is_the_one_of_exact_numbers() {
 }
 
 #[test]
-fn point_just_below_a_border_counts_as_on_it_unless_epsilon_is_as_small() {
+fn point_a_step_below_a_border_counts_as_on_it() {
     let grid = Grid::new(Position::ORIGIN, Number::ONE.to_bits().unsigned_abs());
-    let half = Checker::new(
-        [Number::ZERO; 3],
-        [Number::new(0.5), Number::ZERO, Number::ZERO],
-    );
-    let holds = |epsilon, scale, below: i32| {
-        let checker = PreparedChecker::prepare(&half, &grid, Length::from_bits(epsilon)).unwrap();
-        let at = ScaledPoint::at(Point::new(-below, 0, 0));
-        checker.holds(ScaledPoint { scale, ..at })
-    };
+    let half = [Number::new(0.5), Number::ZERO, Number::ZERO];
+    let checker = PreparedChecker::prepare(&Checker::new([Number::ZERO; 3], half), &grid).unwrap();
     // The cell below 0 is odd.
-    assert_eq!(
-        [0, 1, 3, 4].map(|below| holds(64, 0, below)),
-        [false, false, false, true]
-    );
-    assert_eq!(
-        [4, 5, 6, 7].map(|scale| holds(64, scale, 3)),
-        [false, true, true, true]
-    );
-    assert!(!holds(4, 0, 1) && holds(3, 0, 1));
+    let holds = |below: i32| checker.holds(ScaledPoint::at(Point::new(-below, 0, 0)));
+    assert_eq!([0, 1, 2, 3].map(holds), [false, false, true, true]);
 }
 
 #[test]
 fn ends_in_one_cell_stay_there_unless_the_curve_leaves_it() {
     let grid = Grid::new(Position::ORIGIN, Number::ONE.to_bits().unsigned_abs());
     let half = Checker::new([Number::ZERO; 3], [Number::new(0.5); 3]);
-    let checker = PreparedChecker::prepare(&half, &grid, Length::from_bits(64)).unwrap();
+    let checker = PreparedChecker::prepare(&half, &grid).unwrap();
     let at = |x: f64| grid.place(Position::new([x, 0.25, 0.25]));
     let steps = |length: f64| grid.length(Number::new(length)).to_bits();
     let is_one = |one, other, aside| checker.is_one_cell([at(one), at(other)], steps(aside));

@@ -60,33 +60,6 @@ pub fn compare(a: &Picture, b: &Picture) -> Result<Difference, SizeMismatch> {
     })
 }
 
-/// Returns a picture that shows where two pictures differ. Each channel is |a − b| times `gain`, at most
-/// 255.
-///
-/// # Errors
-///
-/// The pictures do not have the same size.
-///
-/// ```
-/// use reflet::host::compare::difference_picture;
-/// use reflet::host::reference::Picture;
-///
-/// let left = Picture { width: 1, height: 1, pixels: vec![[10, 20, 30]] };
-/// let right = Picture { width: 1, height: 1, pixels: vec![[10, 22, 0]] };
-/// let difference = difference_picture(&left, &right, 16).unwrap();
-/// assert_eq!(difference.pixels, [[0, 32, 255]]);
-/// ```
-pub fn difference_picture(a: &Picture, b: &Picture, gain: u8) -> Result<Picture, SizeMismatch> {
-    SizeMismatch::refuse(a, b)?;
-    let pairs = a.pixels.iter().zip(&b.pixels).map(|(a, b)| apart(a, b));
-    let amplified = pairs.map(|pixel| pixel.map(|channel| channel.saturating_mul(gain)));
-    Ok(Picture {
-        width: a.width,
-        height: a.height,
-        pixels: amplified.collect(),
-    })
-}
-
 /// The error of comparing two pictures of different sizes.
 ///
 /// ```

@@ -162,7 +162,7 @@ macro_rules! prepare {
                     let described = &scene.materials[index];
                     let material = PreparedMaterial::new(described);
                     if let Some(checker) = &described.described_checker() {
-                        let checker = PreparedChecker::prepare(checker, &self.grid, self.epsilon);
+                        let checker = PreparedChecker::prepare(checker, &self.grid);
                         self.checkers[index] = attempt!(checker, |fault| Error::at("material", index, fault));
                     }
                     let brightest = material.color.at_least(self.checkers[index].color).largest();

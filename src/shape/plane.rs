@@ -229,15 +229,6 @@ impl PreparedPlane {
             climb: cosine >> 2,
         }
     }
-
-    /// Returns the distance at which the ray hits the plane, below `reach`.
-    #[cfg(test)]
-    pub(crate) fn intersect(&self, ray: &Ray, reach: Length) -> Option<Length> {
-        let approach = self.bearing(ray).approach()?;
-        approach
-            .is_before(&Approach::at(reach))
-            .then(|| approach.distance())
-    }
 }
 
 /// Returns the magnitudes of a ray's height above a plane and of the height that it loses per step.

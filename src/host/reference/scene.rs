@@ -22,7 +22,7 @@ pub(in crate::host) type Normals = Option<[[f64; 3]; 3]>;
 pub(in crate::host) const EPSILON: f64 = 1e-3;
 
 macro_rules! scene {
-    ([$($parameter:tt)*] $({
+    ($parameters:tt $({
         $list:ident $kind:ident $described:ident $add:ident($($field:ident: $type:ident)*) $room:ident $($more:tt)*
     })*) => {
         /// A scene of the reference, in doubles.
@@ -77,20 +77,6 @@ macro_rules! scene {
                 shapes
             }
         }
-
-        /// Names of the parts that the const parameters of [`crate::Scene`] count, such as `spheres`, in
-        /// the order of the parameters.
-        ///
-        /// ```
-        /// use reflet::host::reference::PARAMETERS;
-        /// assert_eq!(PARAMETERS, ["spheres", "planes", "cylinders", "lights", "materials", "discs", "triangles"]);
-        /// ```
-        pub const PARAMETERS: &[&str] = {
-            $(const $room: &str = stringify!($list);)*
-            const L: &str = "lights";
-            const M: &str = "materials";
-            &[$($parameter)*]
-        };
 
         $(
             #[doc = concat!("A ", stringify!($kind), " of a scene of the reference, in doubles.")]

@@ -5,6 +5,16 @@ use crate::ray::{ScaledPoint, ScaledRay};
 use crate::shape::fixture::*;
 use crate::vector::Vector;
 
+impl PreparedPlane {
+    /// Returns the distance at which the ray hits the plane, below `reach`.
+    pub(crate) fn intersect(&self, ray: &Ray, reach: Length) -> Option<Length> {
+        let approach = self.bearing(ray).approach()?;
+        approach
+            .is_before(&Approach::at(reach))
+            .then(|| approach.distance())
+    }
+}
+
 /// Converts a near ray to a scaled ray.
 fn from_near(ray: &Ray) -> ScaledRay {
     ScaledRay::new(ScaledPoint::new(ray.origin, 0), ray.direction)

@@ -39,18 +39,6 @@ impl PreparedSphere {
         (start.to_bits() < met && met < reach.to_bits()).then_some(Length::from_bits(met))
     }
 
-    /// Returns the distance at which the ray enters the sphere, or else leaves it, above 0 and below
-    /// `reach`.
-    #[cfg(test)]
-    pub(crate) fn intersect_alone(&self, ray: &Ray, reach: Length) -> Option<Length> {
-        let way = ray.origin.to(self.center);
-        if way.dot(ray.direction) < -self.radius {
-            return None;
-        }
-        let start = Length::from_bits(0);
-        self.met(way, ray.direction, Range { start, reach })
-    }
-
     /// Tests whether the ray hits the sphere at a distance above 0 and below `reach`. Takes no root. A
     /// ray that starts on the surface, within rounding, and goes outwards does not hit it.
     pub(super) fn is_on(&self, ray: &Ray, reach: Length) -> bool {

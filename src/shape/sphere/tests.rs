@@ -9,6 +9,19 @@ use crate::shape::fixture::*;
 
 const RADIUS: i32 = 1 << 24;
 
+impl PreparedSphere {
+    /// Returns the distance at which the ray enters the sphere, or else leaves it, above 0 and below
+    /// `reach`.
+    pub(crate) fn intersect_alone(&self, ray: &Ray, reach: Length) -> Option<Length> {
+        let way = ray.origin.to(self.center);
+        if way.dot(ray.direction) < -self.radius {
+            return None;
+        }
+        let start = Length::from_bits(0);
+        self.met(way, ray.direction, Range { start, reach })
+    }
+}
+
 fn sphere(center: [i32; 3], radius: i32) -> PreparedSphere {
     PreparedSphere::new(point(center), Length::from_bits(radius), MaterialId(0))
 }
