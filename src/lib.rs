@@ -115,11 +115,11 @@
 //!
 //! | profile | castle flash | castle instr/pixel | corner1 flash | corner1 instr/pixel |
 //! |---|--:|--:|--:|--:|
-//! | lto = true, codegen-units = 1 | 52292 | 1343 | 15256 | 218 |
-//! | Cargo's default release | 69592 | 1417 | 20364 | 253 |
-//! | lto = true, codegen-units = 1, opt-level = "s" | 51072 | 2368 | 16704 | 284 |
-//! | lto = true, codegen-units = 1, opt-level = "z" | 47984 | 3755 | 16644 | 464 |
-//! | Cargo's default dev (debug) | 574612 | 39444 | 528324 | 6178 |
+//! | lto = true, codegen-units = 1 | 52532 | 1343 | 15332 | 220 |
+//! | Cargo's default release | 70092 | 1418 | 20316 | 255 |
+//! | lto = true, codegen-units = 1, opt-level = "s" | 50292 | 2364 | 16800 | 288 |
+//! | lto = true, codegen-units = 1, opt-level = "z" | 48012 | 3760 | 16744 | 470 |
+//! | Cargo's default dev (debug) | 601024 | 39347 | 554736 | 6220 |
 //!
 //! Every profile draws the same picture. If flash is scarce, the quality [`Small`](quality::Small) saves
 //! more than an `opt-level`.

@@ -7,9 +7,8 @@ pub const CASTLE: ParetoFront = ParetoFront::new(&[
     FrontPoint { prepare: 75908, instructions: 109, reflections: 1, level: QualityLevel::Exact, scale: 4, psnr: 2177, largest: 231 },
     FrontPoint { prepare: 75028, instructions: 337, reflections: 1, level: QualityLevel::Fast, scale: 2, psnr: 2550, largest: 211 },
     FrontPoint { prepare: 74807, instructions: 1022, reflections: 1, level: QualityLevel::Fast, scale: 1, psnr: 4252, largest: 76 },
-    FrontPoint { prepare: 74807, instructions: 1049, reflections: 2, level: QualityLevel::Fast, scale: 1, psnr: 5901, largest: 16 },
-    FrontPoint { prepare: 74807, instructions: 1052, reflections: 3, level: QualityLevel::Fast, scale: 1, psnr: 7414, largest: 3 },
-    FrontPoint { prepare: 74807, instructions: 1053, reflections: 4, level: QualityLevel::Fast, scale: 1, psnr: 7455, largest: 1 },
+    FrontPoint { prepare: 74807, instructions: 1048, reflections: 2, level: QualityLevel::Fast, scale: 1, psnr: 5901, largest: 16 },
+    FrontPoint { prepare: 74807, instructions: 1052, reflections: 4, level: QualityLevel::Fast, scale: 1, psnr: 7455, largest: 1 },
     FrontPoint { prepare: 74807, instructions: 1407, reflections: 4, level: QualityLevel::Exact, scale: 1, psnr: 9504, largest: 1 },
 ]);
 /// shading_lights
@@ -40,7 +39,7 @@ pub const COLUMNS: ParetoFront = ParetoFront::new(&[
     FrontPoint { prepare: 18453, instructions: 299, reflections: 1, level: QualityLevel::Fast, scale: 2, psnr: 2980, largest: 173 },
     FrontPoint { prepare: 18453, instructions: 621, reflections: 0, level: QualityLevel::Fast, scale: 1, psnr: 3829, largest: 56 },
     FrontPoint { prepare: 18453, instructions: 818, reflections: 1, level: QualityLevel::Fast, scale: 1, psnr: 5786, largest: 16 },
-    FrontPoint { prepare: 18453, instructions: 873, reflections: 2, level: QualityLevel::Fast, scale: 1, psnr: 7087, largest: 2 },
+    FrontPoint { prepare: 18453, instructions: 874, reflections: 2, level: QualityLevel::Fast, scale: 1, psnr: 7087, largest: 2 },
     FrontPoint { prepare: 18453, instructions: 1158, reflections: 2, level: QualityLevel::Exact, scale: 1, psnr: 8425, largest: 2 },
     FrontPoint { prepare: 18453, instructions: 1170, reflections: 3, level: QualityLevel::Exact, scale: 1, psnr: 65535, largest: 0 },
 ]);
@@ -49,10 +48,10 @@ pub const MIRROR1: ParetoFront = ParetoFront::new(&[
     FrontPoint { prepare: 11491, instructions: 53, reflections: 0, level: QualityLevel::Exact, scale: 4, psnr: 1574, largest: 255 },
     FrontPoint { prepare: 11491, instructions: 78, reflections: 1, level: QualityLevel::Exact, scale: 4, psnr: 2297, largest: 255 },
     FrontPoint { prepare: 11491, instructions: 296, reflections: 1, level: QualityLevel::Exact, scale: 2, psnr: 2508, largest: 234 },
-    FrontPoint { prepare: 11491, instructions: 940, reflections: 1, level: QualityLevel::Fast, scale: 1, psnr: 4363, largest: 47 },
+    FrontPoint { prepare: 11491, instructions: 939, reflections: 1, level: QualityLevel::Fast, scale: 1, psnr: 4363, largest: 47 },
     FrontPoint { prepare: 11491, instructions: 1104, reflections: 2, level: QualityLevel::Fast, scale: 1, psnr: 5690, largest: 17 },
-    FrontPoint { prepare: 11491, instructions: 1130, reflections: 3, level: QualityLevel::Fast, scale: 1, psnr: 7432, largest: 3 },
-    FrontPoint { prepare: 11491, instructions: 1134, reflections: 4, level: QualityLevel::Fast, scale: 1, psnr: 7832, largest: 1 },
+    FrontPoint { prepare: 11491, instructions: 1129, reflections: 3, level: QualityLevel::Fast, scale: 1, psnr: 7432, largest: 3 },
+    FrontPoint { prepare: 11491, instructions: 1133, reflections: 4, level: QualityLevel::Fast, scale: 1, psnr: 7832, largest: 1 },
     FrontPoint { prepare: 11491, instructions: 1246, reflections: 4, level: QualityLevel::Exact, scale: 1, psnr: 9027, largest: 1 },
     FrontPoint { prepare: 11491, instructions: 1248, reflections: 5, level: QualityLevel::Exact, scale: 1, psnr: 65535, largest: 0 },
 ]);
@@ -64,11 +63,11 @@ pub const MIRROR2: ParetoFront = ParetoFront::new(&[
     FrontPoint { prepare: 18089, instructions: 229, reflections: 3, level: QualityLevel::Exact, scale: 4, psnr: 2334, largest: 224 },
     FrontPoint { prepare: 18061, instructions: 657, reflections: 2, level: QualityLevel::Fast, scale: 2, psnr: 2403, largest: 224 },
     FrontPoint { prepare: 18061, instructions: 849, reflections: 3, level: QualityLevel::Fast, scale: 2, psnr: 2601, largest: 224 },
-    FrontPoint { prepare: 18061, instructions: 1743, reflections: 2, level: QualityLevel::Fast, scale: 1, psnr: 2770, largest: 164 },
-    FrontPoint { prepare: 18061, instructions: 2354, reflections: 3, level: QualityLevel::Fast, scale: 1, psnr: 5379, largest: 26 },
-    FrontPoint { prepare: 18061, instructions: 2528, reflections: 4, level: QualityLevel::Fast, scale: 1, psnr: 6327, largest: 12 },
-    FrontPoint { prepare: 18061, instructions: 2552, reflections: 5, level: QualityLevel::Fast, scale: 1, psnr: 6854, largest: 6 },
-    FrontPoint { prepare: 18061, instructions: 2561, reflections: 6, level: QualityLevel::Fast, scale: 1, psnr: 7033, largest: 2 },
+    FrontPoint { prepare: 18061, instructions: 1742, reflections: 2, level: QualityLevel::Fast, scale: 1, psnr: 2770, largest: 164 },
+    FrontPoint { prepare: 18061, instructions: 2352, reflections: 3, level: QualityLevel::Fast, scale: 1, psnr: 5379, largest: 26 },
+    FrontPoint { prepare: 18061, instructions: 2526, reflections: 4, level: QualityLevel::Fast, scale: 1, psnr: 6327, largest: 12 },
+    FrontPoint { prepare: 18061, instructions: 2550, reflections: 5, level: QualityLevel::Fast, scale: 1, psnr: 6854, largest: 6 },
+    FrontPoint { prepare: 18061, instructions: 2559, reflections: 6, level: QualityLevel::Fast, scale: 1, psnr: 7033, largest: 2 },
     FrontPoint { prepare: 18061, instructions: 3762, reflections: 5, level: QualityLevel::Exact, scale: 1, psnr: 7295, largest: 6 },
     FrontPoint { prepare: 18061, instructions: 3775, reflections: 6, level: QualityLevel::Exact, scale: 1, psnr: 8504, largest: 2 },
     FrontPoint { prepare: 18061, instructions: 3779, reflections: 7, level: QualityLevel::Exact, scale: 1, psnr: 9027, largest: 1 },
@@ -78,11 +77,11 @@ pub const MIRROR2: ParetoFront = ParetoFront::new(&[
 pub const PRIMITIVES: ParetoFront = ParetoFront::new(&[
     FrontPoint { prepare: 4645, instructions: 48, reflections: 0, level: QualityLevel::Fast, scale: 4, psnr: 1923, largest: 255 },
     FrontPoint { prepare: 4645, instructions: 68, reflections: 1, level: QualityLevel::Exact, scale: 4, psnr: 2343, largest: 196 },
-    FrontPoint { prepare: 4645, instructions: 189, reflections: 1, level: QualityLevel::Fast, scale: 2, psnr: 2659, largest: 212 },
-    FrontPoint { prepare: 4645, instructions: 523, reflections: 1, level: QualityLevel::Fast, scale: 1, psnr: 4325, largest: 20 },
-    FrontPoint { prepare: 4645, instructions: 558, reflections: 2, level: QualityLevel::Fast, scale: 1, psnr: 5799, largest: 20 },
-    FrontPoint { prepare: 4645, instructions: 568, reflections: 3, level: QualityLevel::Fast, scale: 1, psnr: 6998, largest: 3 },
-    FrontPoint { prepare: 4645, instructions: 569, reflections: 4, level: QualityLevel::Fast, scale: 1, psnr: 7083, largest: 1 },
+    FrontPoint { prepare: 4645, instructions: 190, reflections: 1, level: QualityLevel::Fast, scale: 2, psnr: 2659, largest: 212 },
+    FrontPoint { prepare: 4645, instructions: 524, reflections: 1, level: QualityLevel::Fast, scale: 1, psnr: 4325, largest: 20 },
+    FrontPoint { prepare: 4645, instructions: 559, reflections: 2, level: QualityLevel::Fast, scale: 1, psnr: 5799, largest: 20 },
+    FrontPoint { prepare: 4645, instructions: 569, reflections: 3, level: QualityLevel::Fast, scale: 1, psnr: 6998, largest: 3 },
+    FrontPoint { prepare: 4645, instructions: 570, reflections: 4, level: QualityLevel::Fast, scale: 1, psnr: 7083, largest: 1 },
     FrontPoint { prepare: 4645, instructions: 1008, reflections: 3, level: QualityLevel::Exact, scale: 1, psnr: 7748, largest: 3 },
     FrontPoint { prepare: 4645, instructions: 1009, reflections: 4, level: QualityLevel::Exact, scale: 1, psnr: 65535, largest: 0 },
 ]);
@@ -99,7 +98,7 @@ pub const FLOOR: ParetoFront = ParetoFront::new(&[
 pub const CORNER1: ParetoFront = ParetoFront::new(&[
     FrontPoint { prepare: 523, instructions: 24, reflections: 0, level: QualityLevel::Fast, scale: 4, psnr: 3026, largest: 101 },
     FrontPoint { prepare: 523, instructions: 67, reflections: 0, level: QualityLevel::Fast, scale: 2, psnr: 3777, largest: 66 },
-    FrontPoint { prepare: 523, instructions: 148, reflections: 0, level: QualityLevel::Fast, scale: 1, psnr: 5941, largest: 43 },
+    FrontPoint { prepare: 523, instructions: 149, reflections: 0, level: QualityLevel::Fast, scale: 1, psnr: 5941, largest: 43 },
     FrontPoint { prepare: 523, instructions: 437, reflections: 0, level: QualityLevel::Exact, scale: 1, psnr: 6024, largest: 43 },
 ]);
 /// cylinders
