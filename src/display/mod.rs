@@ -20,10 +20,10 @@ use embedded_graphics::primitives::Rectangle;
 use embedded_graphics::transform::Transform;
 
 use crate::accel::drawable::Drawable;
-use crate::color::{LONGEST, Sum};
+use crate::color::Sum;
 use crate::number::unsigned;
 use crate::qualities::Quality;
-use crate::render::{FrameBuilder, PreparedFrame, Report, Rows, Seam};
+use crate::render::{Buffer, FrameBuilder, PreparedFrame, Report, Rows, Seam};
 use crate::shade::Shading;
 
 /// Widest picture with smooth edges of which [`Rows::draw_area`] keeps what a row leaves to the next one, in parts of 32
@@ -135,11 +135,12 @@ impl<S: Drawable, Q: Quality, K: Shading> Rows<'_, S, Q, K> {
             let start = [unsigned(left), unsigned(y)];
             let (drawn, part) = match Q::SMOOTHNESS {
                 1 => self.in_row(generator, start, |colors| {
-                    let pixels = one_by_one(start[0], width, |block| colors.fill(block, shown));
+                    let mut buffer = Buffer::NONE;
+                    let pixels = (0..width).map(|_| shown(colors.next_color(&mut buffer)));
                     target.fill_contiguous(&row, pixels)
                 }),
                 _ => self.in_smooth_row(generator, start, &mut seam.0, |colors| {
-                    let pixels = one_by_one(start[0], width, |block| colors.fill(block, shown));
+                    let pixels = (0..width).map(|_| shown(colors.next_color()));
                     target.fill_contiguous(&row, pixels)
                 }),
             };
@@ -148,24 +149,6 @@ impl<S: Drawable, Q: Quality, K: Shading> Rows<'_, S, Q, K> {
         }
         Ok(report)
     }
-}
-
-/// Returns the colours of `width` columns from the first on one by one. `fill` computes those up to the end of a block.
-#[inline(always)]
-fn one_by_one<C: Copy + From<Rgb888>>(
-    first: u32,
-    width: u32,
-    mut fill: impl FnMut(&mut [C]),
-) -> impl Iterator<Item = C> {
-    let mut block = [shown(Sum::DARK); LONGEST];
-    (first..first + width).map(move |column| {
-        let place = column as usize % LONGEST;
-        if column == first || place == 0 {
-            let end = LONGEST.min(place + (first + width - column) as usize);
-            fill(block.get_mut(place..end).unwrap_or_default());
-        }
-        block[place]
-    })
 }
 
 /// Returns the colour that a display shows for the sum of a path.

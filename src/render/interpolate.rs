@@ -15,22 +15,22 @@
 mod between;
 mod marks;
 mod output;
-mod pixels;
+mod sink;
 mod tiles;
 
 pub(crate) use marks::{Marked, Marks, Unmarked};
 pub(super) use output::fill;
+pub(crate) use sink::Buffer;
 
 use crate::accel::{LONGEST_BLOCK, Window, World};
 use crate::camera::RowDirections;
-use crate::color::Sum;
 use crate::number::{Unit, to_u32};
 use crate::qualities::Quality;
 use crate::render::smooth::CHUNK;
 use crate::shade::highlight::sealed::Shading;
 use crate::trace::{Pixel, Progress, Stops, Traced, Tracer};
 use crate::vector::Direction;
-use pixels::Pixels;
+use sink::Sink;
 
 /// Returns the number of columns of a block in a picture of `width` columns. The wider the picture, the less
 /// changes from one pixel to the next. Where borders lie close together, it `is_dense`, and blocks are half as long.
@@ -170,12 +170,12 @@ impl<'s, 'a, W: World, K: Shading, Q: Quality, M: Marks> Colors<'s, 'a, W, K, Q,
     /// Computes the colours of the block that begins at column `first`. If no path there hits a shape, it moves
     /// `clear_until` behind the block instead.
     #[inline(never)]
-    fn follow<C: Copy>(&mut self, first: u32, pixels: &mut Pixels<'_, C, impl Fn(Sum) -> C>) {
+    fn follow(&mut self, first: u32, sink: &mut impl Sink) {
         // With the constant, other qualities do not compile what follows.
         if !Tracer::<W, K, Q>::IS_INTERPOLATED || self.block == 1 {
             self.window = self.tracer.advance(first, first + SHORT);
             self.until = (first + SHORT).min(self.last + 1);
-            return self.trace_each(first, self.until, pixels);
+            return self.trace_each(first, self.until, sink);
         }
         let next = first + self.block;
         self.window = self.tracer.advance(first, next);
@@ -189,43 +189,33 @@ impl<'s, 'a, W: World, K: Shading, Q: Quality, M: Marks> Colors<'s, 'a, W, K, Q,
             (column, end) if column == first => end,
             _ => self.trace(first, 0),
         };
-        self.set(first, start.traced, pixels);
+        self.set(first, start.traced, sink);
         if last - first < SHORTEST {
-            return self.trace_each(first + 1, last + 1, pixels);
+            return self.trace_each(first + 1, last + 1, sink);
         }
         // The two ends of a block take turns.
         let end = self.trace(last, 1 - start.slot);
         self.end = (last, end);
         self.free = (1 << UNREAD) - 1 - 0b11;
         self.credit = CREDIT;
-        self.between([first, last], [&start, &end], Progress::NONE, pixels);
+        self.between([first, last], [&start, &end], Progress::NONE, sink);
         if last < next {
-            self.set(last, end.traced, pixels);
+            self.set(last, end.traced, sink);
         }
     }
 
     /// Traces each pixel from column `first` to the one before `end`. Nothing is interpolated.
-    fn trace_each<C: Copy>(
-        &mut self,
-        first: u32,
-        end: u32,
-        pixels: &mut Pixels<'_, C, impl Fn(Sum) -> C>,
-    ) {
+    fn trace_each(&mut self, first: u32, end: u32, sink: &mut impl Sink) {
         for column in first..end {
             let traced = self.trace(column, UNREAD).traced;
-            self.set(column, traced, pixels);
+            self.set(column, traced, sink);
         }
     }
 
     /// Sets the colour of a column, and what its path met.
     #[inline(always)]
-    fn set<C: Copy>(
-        &mut self,
-        column: u32,
-        traced: Traced,
-        pixels: &mut Pixels<'_, C, impl Fn(Sum) -> C>,
-    ) {
-        pixels.set(column, traced.sum);
+    fn set(&mut self, column: u32, traced: Traced, sink: &mut impl Sink) {
+        sink.set(column, traced.sum);
         self.marks.fill(column, 1, traced.signature);
     }
 

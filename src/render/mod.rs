@@ -16,6 +16,7 @@ pub use report::Report;
 pub(crate) use report::light_cut_off;
 pub use smooth::Seam;
 
+pub(crate) use interpolate::Buffer;
 use interpolate::Colors;
 #[cfg(feature = "host")]
 pub(crate) use interpolate::block_of;

@@ -57,8 +57,19 @@ pub(crate) struct SmoothColors<'s, 'a, W: World, K, Q> {
 }
 
 impl<W: World, K: sealed::Shading, Q: Quality> SmoothColors<'_, '_, W, K, Q> {
+    /// Returns the colour of the next column, which must lie in the picture.
+    #[inline(always)]
+    pub(crate) fn next_color(&mut self) -> Sum {
+        let column = self.column;
+        self.column = column + 1;
+        if column >= self.until {
+            self.follow(column);
+        }
+        self.colors[(column % CHUNK) as usize].sum()
+    }
+
     /// Fills `pixels` with the next colours, each converted by `shown`. All pixels must lie in the picture.
-    pub(crate) fn fill<C>(&mut self, mut pixels: &mut [C], shown: impl Fn(Sum) -> C) {
+    pub(super) fn fill<C>(&mut self, mut pixels: &mut [C], shown: impl Fn(Sum) -> C) {
         while !pixels.is_empty() {
             if self.column >= self.until {
                 self.follow(self.column);

@@ -148,8 +148,8 @@ fn packages_of_first_command() -> Result<usize> {
 mod tests {
     use super::*;
 
-    const MOST_CODE: usize = 19_307;
-    const MOST_OUTSIDE: usize = 37_061;
+    const MOST_CODE: usize = 19_330;
+    const MOST_OUTSIDE: usize = 37_060;
 
     /// Most packages that a newcomer's first command compiles.
     const MOST_PACKAGES: usize = 62;

@@ -1,8 +1,8 @@
 //! Floor 7: the colours between two traced pixels of a block: interpolated, or divided further.
 
-use super::{Colors, EARNED, End, Marks, Pixels, SHORTEST, SLOTS, UNREAD};
+use super::{Colors, EARNED, End, Marks, SHORTEST, SLOTS, Sink, UNREAD};
 use crate::accel::World;
-use crate::color::{Bend, Parabola, Sum};
+use crate::color::{Bend, Parabola};
 use crate::qualities::Quality;
 use crate::shade::Samples;
 use crate::shade::highlight::sealed::Shading;
@@ -11,12 +11,12 @@ use crate::trace::{Progress, Stops};
 impl<W: World, K: Shading, Q: Quality, M: Marks> Colors<'_, '_, W, K, Q, M> {
     /// Sets the colours of all columns between two. `ends` are the traced pixels at these two columns, whose own colours
     /// the caller sets.
-    pub(super) fn between<C: Copy>(
+    pub(super) fn between(
         &mut self,
         [mut first, last]: [u32; 2],
         [outer, end]: [&End; 2],
         mut proved: Progress,
-        pixels: &mut Pixels<'_, C, impl Fn(Sum) -> C>,
+        sink: &mut impl Sink,
     ) {
         let mut start = *outer;
         while first + 1 < last {
@@ -25,20 +25,20 @@ impl<W: World, K: Shading, Q: Quality, M: Marks> Colors<'_, '_, W, K, Q, M> {
                 let samples = proved.samples;
                 match proved.cells {
                     Some(level) if W::NEEDS.checkers => {
-                        self.tiles([first, last], ends, (level, samples), pixels);
+                        self.tiles([first, last], ends, (level, samples), sink);
                     }
-                    _ => self.interpolate([first, last], ends, (Bend::ZERO, samples), pixels),
+                    _ => self.interpolate([first, last], ends, (Bend::ZERO, samples), sink),
                 }
                 break;
             }
             let Some([before, after]) = self.border([first, last], ends, &proved) else {
-                self.trace_each(first + 1, last, pixels);
+                self.trace_each(first + 1, last, sink);
                 break;
             };
             let mut middle = start;
             if first < before {
-                middle = self.traced_end(before, pixels);
-                self.between([first, before], [&start, &middle], proved, pixels);
+                middle = self.traced_end(before, sink);
+                self.between([first, before], [&start, &middle], proved, sink);
                 self.release(&start, outer);
             }
             if before < after {
@@ -46,7 +46,7 @@ impl<W: World, K: Shading, Q: Quality, M: Marks> Colors<'_, '_, W, K, Q, M> {
                 if after == last {
                     return;
                 }
-                middle = self.traced_end(after, pixels);
+                middle = self.traced_end(after, sink);
             }
             (first, start) = (after, middle);
         }
@@ -92,15 +92,11 @@ impl<W: World, K: Shading, Q: Quality, M: Marks> Colors<'_, '_, W, K, Q, M> {
 
     /// Traces the pixel of a column, sets its colour, and stores its hits in a free slot. There is one.
     #[inline(never)]
-    fn traced_end<C: Copy>(
-        &mut self,
-        column: u32,
-        pixels: &mut Pixels<'_, C, impl Fn(Sum) -> C>,
-    ) -> End {
+    fn traced_end(&mut self, column: u32, sink: &mut impl Sink) -> End {
         let slot = self.free.trailing_zeros();
         self.free &= !(1 << slot);
         let end = self.trace(column, slot as usize);
-        self.set(column, end.traced, pixels);
+        self.set(column, end.traced, sink);
         end
     }
 
@@ -114,12 +110,12 @@ impl<W: World, K: Shading, Q: Quality, M: Marks> Colors<'_, '_, W, K, Q, M> {
 
     /// Computes the colours between two traced pixels of one path, or of paths that differ in what cannot be seen. The
     /// second difference of the three is expected to be this. `samples` says how many have to be traced at least.
-    fn interpolate<C: Copy>(
+    fn interpolate(
         &mut self,
         [first, last]: [u32; 2],
         ends: [&End; 2],
         (expected, samples): (Bend, Samples),
-        pixels: &mut Pixels<'_, C, impl Fn(Sum) -> C>,
+        sink: &mut impl Sink,
     ) {
         let ([start, end], length) = (ends, last - first);
         let is_smooth = is_alike(ends) && samples == Samples::Three;
@@ -133,7 +129,7 @@ impl<W: World, K: Shading, Q: Quality, M: Marks> Colors<'_, '_, W, K, Q, M> {
                 true => middle.sum = middle.sum.half_way(end.traced.sum, expected),
                 false => middle = self.trace(first + 1, UNREAD).traced,
             }
-            return self.set(first + 1, middle, pixels);
+            return self.set(first + 1, middle, sink);
         }
         let half = length / 2;
         let middle = self.trace(first + half, UNREAD);
@@ -144,14 +140,14 @@ impl<W: World, K: Shading, Q: Quality, M: Marks> Colors<'_, '_, W, K, Q, M> {
         let most = if length > 32 { 2 } else { 4 };
         if is_smooth && bend.less(expected).is_within(most * Self::TOLERANCE) {
             self.marks.fill(first, length, start.traced.signature);
-            return pixels.set_curve(first, length, curve);
+            return sink.set_curve(first, length, curve);
         }
         let expected = |length: u32| (curve.bend((length / 2).max(1)), Samples::Three);
         let part = expected(half);
-        self.interpolate([first, first + half], [start, &middle], part, pixels);
-        self.set(first + half, middle.traced, pixels);
+        self.interpolate([first, first + half], [start, &middle], part, sink);
+        self.set(first + half, middle.traced, sink);
         let rest = expected(length - half);
-        self.interpolate([first + half, last], [&middle, end], rest, pixels);
+        self.interpolate([first + half, last], [&middle, end], rest, sink);
     }
 }
 

@@ -1,7 +1,8 @@
-//! Floor 7: hands out the colours of a row, into a slice. It does not know how they are
+//! Floor 7: hands out the colours of a row, one by one or into a slice. It does not know how they are
 //! found.
 
-use super::{Colors, Marks, Pixels, SHORT, UNREAD};
+use super::sink::Pixels;
+use super::{Buffer, Colors, Marks, SHORT, Sink, UNREAD};
 use crate::accel::World;
 use crate::camera::RayGenerator;
 use crate::color::{Parabola, Sum};
@@ -12,18 +13,33 @@ use crate::trace::{Traced, Tracer};
 use crate::vector::Direction;
 
 impl<W: World, K: Shading, Q: Quality, M: Marks> Colors<'_, '_, W, K, Q, M> {
+    /// Returns the colour of the next column, which must lie in the picture. `buffer` holds the colours that are computed
+    /// together with it; it must be the same for the whole row.
+    #[inline(always)]
+    pub(crate) fn next_color(&mut self, buffer: &mut Buffer) -> Sum {
+        if !Tracer::<W, K, Q>::IS_INTERPOLATED {
+            return self.each();
+        }
+        let column = self.column;
+        self.column = column + 1;
+        while column >= self.until {
+            self.step(Buffer::end(column), buffer);
+        }
+        buffer.color_of(column)
+    }
+
     /// Computes the next colours, but none from column `end` on if no path hits a shape.
     #[inline(never)]
-    fn step<C: Copy>(&mut self, end: u32, pixels: &mut Pixels<'_, C, impl Fn(Sum) -> C>) {
+    fn step(&mut self, end: u32, sink: &mut impl Sink) {
         let first = self.until;
         if first >= self.clear_until {
-            self.follow(first, pixels);
+            self.follow(first, sink);
         }
         if first < self.clear_until {
             self.until = self.clear_until.min(end);
             let (count, missed) = (self.until - first, self.tracer.missed());
             self.marks.fill(first, count, missed.signature);
-            pixels.set_curve(first, count, Parabola::constant(missed.sum));
+            sink.set_curve(first, count, Parabola::constant(missed.sum));
         }
     }
 
@@ -98,9 +114,9 @@ impl<W: World, K: Shading, Q: Quality, M: Marks> Colors<'_, '_, W, K, Q, M> {
         }
         let first = self.column;
         self.column = first + to_u32(pixels.len());
-        let mut pixels = Pixels::new(first, pixels, &shown);
+        let mut sink = Pixels::new(first, pixels, &shown);
         while self.until < self.column {
-            self.step(self.column, &mut pixels);
+            self.step(self.column, &mut sink);
         }
     }
 }

@@ -2,7 +2,7 @@
 //! interpolated over the whole stretch, and each pixel shows that of its cell.
 
 use super::between::hits;
-use super::{Colors, End, Marks, Pixels, SCRATCH};
+use super::{Colors, End, Marks, SCRATCH, Sink};
 use crate::accel::World;
 use crate::color::{Bend, Parabola, Sum};
 use crate::qualities::Quality;
@@ -24,17 +24,17 @@ impl<W: World, K: Shading, Q: Quality, M: Marks> Colors<'_, '_, W, K, Q, M> {
     /// Sets the colours between two traced pixels whose paths surely meet the same, but for the cells of a checker at this
     /// hit. `samples` says how many have to be traced at least.
     #[inline(never)]
-    pub(super) fn tiles<C: Copy>(
+    pub(super) fn tiles(
         &mut self,
         columns: [u32; 2],
         ends: [&End; 2],
         (level, samples): (usize, Samples),
-        pixels: &mut Pixels<'_, C, impl Fn(Sum) -> C>,
+        sink: &mut impl Sink,
     ) {
         let cells = self.tracer.cells(columns, hits(&self.stops, ends), level);
         let (start, both) = (ends[0], ends.map(|end| self.both(end, level)));
         let (Some(cells), [Some((holds, one)), Some((_, other))]) = (cells, both) else {
-            return self.trace_each(columns[0] + 1, columns[1], pixels);
+            return self.trace_each(columns[0] + 1, columns[1], sink);
         };
         let path = start.traced.signature;
         let tiles = Tiles {
@@ -43,18 +43,18 @@ impl<W: World, K: Shading, Q: Quality, M: Marks> Colors<'_, '_, W, K, Q, M> {
             path: path.in_cell(path.cell() != holds),
         };
         let expected = ([Bend::ZERO; 2], samples);
-        self.tile(&tiles, columns, [one, other], expected, pixels);
+        self.tile(&tiles, columns, [one, other], expected, sink);
     }
 
     /// Sets the colours between two traced pixels from those that the two have in both kinds of cells. The second
     /// differences of the three are expected to be these.
-    fn tile<C: Copy>(
+    fn tile(
         &mut self,
         tiles: &Tiles,
         [first, last]: [u32; 2],
         [start, end]: [[Sum; 2]; 2],
         (expected, samples): ([Bend; 2], Samples),
-        pixels: &mut Pixels<'_, C, impl Fn(Sum) -> C>,
+        sink: &mut impl Sink,
     ) {
         let (length, half) = (last - first, (last - first) / 2);
         if length < 2 {
@@ -62,7 +62,7 @@ impl<W: World, K: Shading, Q: Quality, M: Marks> Colors<'_, '_, W, K, Q, M> {
         }
         let traced = self.trace(first + half, SCRATCH);
         let Some((_, middle)) = self.both(&traced, tiles.level) else {
-            return self.trace_each(first + 1, last, pixels);
+            return self.trace_each(first + 1, last, sink);
         };
         let curve =
             |kind: usize| Parabola::through([start[kind], middle[kind], end[kind]], half, length);
@@ -74,7 +74,7 @@ impl<W: World, K: Shading, Q: Quality, M: Marks> Colors<'_, '_, W, K, Q, M> {
             bend.less(expected[kind]).is_within(most)
         };
         if samples == Samples::Three && is_close(0) && is_close(1) {
-            return self.show(tiles, [first, length], curves, pixels);
+            return self.show(tiles, [first, length], curves, sink);
         }
         let expected = |length: u32| {
             let bends = curves.map(|it| it.bend((length / 2).max(1)));
@@ -86,20 +86,20 @@ impl<W: World, K: Shading, Q: Quality, M: Marks> Colors<'_, '_, W, K, Q, M> {
             [first, column],
             [start, middle],
             expected(half),
-            pixels,
+            sink,
         );
-        self.set(column, traced.traced, pixels);
+        self.set(column, traced.traced, sink);
         let rest = expected(length - half);
-        self.tile(tiles, [column, last], [middle, end], rest, pixels);
+        self.tile(tiles, [column, last], [middle, end], rest, sink);
     }
 
     /// Sets the colours of `length` columns from the first on. Each is on the parabola of its cell.
-    fn show<C: Copy>(
+    fn show(
         &mut self,
         tiles: &Tiles,
         [first, length]: [u32; 2],
         curves: [Parabola; 2],
-        pixels: &mut Pixels<'_, C, impl Fn(Sum) -> C>,
+        sink: &mut impl Sink,
     ) {
         let mut column = 0;
         while column < length {
@@ -107,7 +107,7 @@ impl<W: World, K: Shading, Q: Quality, M: Marks> Colors<'_, '_, W, K, Q, M> {
             let path = tiles.path.in_cell(tiles.path.cell() != holds);
             self.marks.fill(first + column, count, path);
             let curve = curves[usize::from(holds)].after(column);
-            pixels.set_curve(first + column, count, curve);
+            sink.set_curve(first + column, count, curve);
             column += count;
         }
     }
