@@ -22,7 +22,7 @@ pub(super) fn error(row: &[&Stage], x: usize, block: usize, tolerance: f64) -> (
     if start == x || end <= x {
         return (0.0, false);
     }
-    let is_alike = |at: &usize| row[*at].is_unsure || row[*at].trail == row[x].trail;
+    let is_alike = |at: &usize| row[*at].is_unsure || row[*at].open_trail == row[x].open_trail;
     let first = (start..x).rev().take_while(is_alike).last().unwrap_or(x);
     let last = (x + 1..=end).take_while(is_alike).last().unwrap_or(x);
     if first == x || last == x {
@@ -35,12 +35,13 @@ pub(super) fn error(row: &[&Stage], x: usize, block: usize, tolerance: f64) -> (
         for end in (x + 1).max(start + shortest)..=last {
             let part = Part {
                 row,
+                x,
                 start,
                 length: end - start,
                 tolerance,
                 expected: None,
             };
-            worst = worst.max(part.worst(x));
+            worst = worst.max(part.worst());
         }
     }
     (worst, is_unsure)
@@ -49,6 +50,8 @@ pub(super) fn error(row: &[&Stage], x: usize, block: usize, tolerance: f64) -> (
 /// A part of a block: the columns from one traced pixel to another. All its paths meet the same.
 struct Part<'a> {
     row: &'a [&'a Stage],
+    /// The column of which the error is asked.
+    x: usize,
     start: usize,
     length: usize,
     tolerance: f64,
@@ -57,10 +60,10 @@ struct Part<'a> {
 }
 
 impl Part<'_> {
-    /// Returns the largest error of pixel `x` if it is interpolated from this part or from a half of it, a half of
+    /// Returns the largest error of the column if it is interpolated from this part or from a half of it, a half of
     /// that, and so on.
-    fn worst(self, x: usize) -> f64 {
-        let own = self.error(x);
+    fn worst(self) -> f64 {
+        let (x, own) = (self.x, self.error());
         let half = self.length / 2;
         let middle = self.start + half;
         if self.length == 2 || x == middle {
@@ -76,12 +79,12 @@ impl Part<'_> {
             expected: Some(self.bend_at((length / 2).max(1))),
             ..self
         };
-        own.max(part.worst(x))
+        own.max(part.worst())
     }
 
-    /// Returns the colour of a column.
+    /// Returns the colour that a column has in the cells of checkers that the asked column shows.
     fn color(&self, column: usize) -> Vector {
-        Vector(self.row[column].color)
+        self.row[column].color_in(self.row[self.x])
     }
 
     /// Returns the colours at the start, in the middle and at the end.
@@ -104,9 +107,9 @@ impl Part<'_> {
         self.slopes()[1] * (2.0 * distance * distance)
     }
 
-    /// Returns the largest error of pixel `x` if it is interpolated from this part, 0 if it cannot be.
-    fn error(&self, x: usize) -> f64 {
-        let [start, middle, end] = self.colors();
+    /// Returns the largest error of the column if it is interpolated from this part, 0 if it cannot be.
+    fn error(&self) -> f64 {
+        let (x, [start, middle, end]) = (self.x, self.colors());
         let miss = |color: Vector| largest(color - self.color(x)) + self.slack();
         if self.length > 2 {
             let (way, half) = ((x - self.start) as f64, (self.length / 2) as f64);

@@ -6,7 +6,7 @@ use std::vec::Vec;
 use super::edges::{cell, disc, mixed};
 use super::largest;
 use crate::host::reference::Shading;
-use crate::host::reference::model::{Light, Ray, Scene, Surface, Vector};
+use crate::host::reference::model::{Light, Material, Met, Ray, Scene, Surface, Vector};
 
 /// The grid and the dimness of a prepared scene, which the rounding analysis needs. It comes from
 /// [`crate::host::precision`].
@@ -39,6 +39,11 @@ pub struct Stage {
     /// Hash of the decisions on the path so far: the shapes that were hit, their sides, and the lights
     /// that shine on them.
     pub trail: u64,
+    /// The same hash without the cells of planes, which divide no stretch of pixels.
+    pub(super) open_trail: u64,
+    /// For each of the first hits whether it shows a plane's checker's colour, and by how much more light its cell sends
+    /// along the path than one of the other kind.
+    cells: [(bool, Vector); 5],
     /// Whether rounding may change a decision, so that the bound may not hold.
     pub is_unsure: bool,
 }
@@ -61,8 +66,19 @@ impl Stage {
         weight: 1.0,
         rounding: 0.0,
         trail: 0,
+        open_trail: 0,
+        cells: [(false, Vector::ZERO); 5],
         is_unsure: false,
     };
+
+    /// Returns the colour that the path has in the cells that another path shows.
+    pub(super) fn color_in(&self, cells: &Self) -> Vector {
+        let pairs = self.cells.iter().zip(&cells.cells);
+        let other = pairs.filter(|((kind, _), (wanted, _))| kind != wanted);
+        other.fold(Vector(self.color), |color, ((_, change), _)| {
+            color - *change
+        })
+    }
 
     /// Returns the stage after a ray in a direction hits nothing: adds the background, and ends the path. The
     /// direction is off by at most `drift`, and its length by up to 2⁻¹⁶.
@@ -71,12 +87,15 @@ impl Stage {
         let (disc, is_at_edge) = disc(scene, direction, drift + to_the_minus(15));
         let is_below = scene.sky.is_some_and(|sky| direction.dot(sky.up) < 0.0);
         let error = slope(scene) * (drift + to_the_minus(16));
+        let met = |trail| mixed(mixed(trail, u64::MAX - u64::from(is_below)), disc);
         Self {
             color: (Vector(self.color) + background * self.weight).0,
             weight: 0.0,
             rounding: self.rounding + (to_the_minus(24) + self.weight * (to_the_minus(25) + error)),
-            trail: mixed(mixed(self.trail, u64::MAX - u64::from(is_below)), disc),
+            trail: met(self.trail),
+            open_trail: met(self.open_trail),
             is_unsure: self.is_unsure || is_at_edge,
+            ..self
         }
     }
 
@@ -143,6 +162,29 @@ pub(super) fn follow(
         let at = Hit::new(scene, &surface, &ray, drift, step);
         let (lights, error) = at.light(scene, &surface, shading, precision);
         let own = scene.own_color(&surface, shading);
+        let is_open = matches!(surface.shape, Met::Plane(_)) && reflection < stage.cells.len();
+        if let (true, Some(checker)) = (is_open, surface.material.checker) {
+            let holds = checker.is_odd(surface.outside);
+            let color = if holds {
+                surface.material.color
+            } else {
+                checker.color
+            };
+            let material = &Material {
+                color,
+                checker: None,
+                ..*surface.material
+            };
+            let other = scene.own_color(
+                &Surface {
+                    material,
+                    ..surface
+                },
+                shading,
+            );
+            let share = stage.weight * (1.0 - surface.material.mirror);
+            stage.cells[reflection] = (holds, (own - other) * share);
+        }
         stage = stage.lit(own, error, reflection, surface.material.mirror);
         let shape = scene.number(surface.shape) as u64;
         // A perfect mirror has no colour of its own, so it does not matter which lights shine on it.
@@ -150,6 +192,10 @@ pub(super) fn follow(
         let (cell, is_near_another) = cell(&surface, at.place);
         let side = 2 * shape + u64::from(surface.is_inside);
         stage.trail = [side, lights, cell].into_iter().fold(stage.trail, mixed);
+        let open_cell = if is_open { 0 } else { cell };
+        stage.open_trail = [side, lights, open_cell]
+            .into_iter()
+            .fold(stage.open_trail, mixed);
         stage.is_unsure |= at.is_unsure || is_near_another;
         stages.push(stage);
         if stage.weight < NOTHING {
