@@ -47,6 +47,17 @@ pub(super) fn error(row: &[&Stage], x: usize, block: usize, tolerance: f64) -> (
     (worst, is_unsure)
 }
 
+impl Stage {
+    /// Returns the colour that the path has in the cells that another path shows.
+    fn color_in(&self, cells: &Self) -> Vector {
+        let pairs = self.cells.iter().zip(&cells.cells);
+        let other = pairs.filter(|((kind, _), (wanted, _))| kind != wanted);
+        other.fold(Vector(self.color), |color, ((_, change), _)| {
+            color - *change
+        })
+    }
+}
+
 /// A part of a block: the columns from one traced pixel to another. All its paths meet the same.
 struct Part<'a> {
     row: &'a [&'a Stage],

@@ -1,6 +1,7 @@
 //! What a path shows that has edges without being a shape: the cells of a checker, and the discs of suns.
 
-use crate::host::reference::model::{Scene, Surface, Vector};
+use crate::host::reference::Shading;
+use crate::host::reference::model::{Met, Scene, Surface, Vector};
 
 /// Returns a number for the cell of a checker in which a surface lies, and whether it may be another cell: the
 /// point is off by up to `error` along each axis.
@@ -15,6 +16,37 @@ pub(super) fn cell(surface: &Surface, error: f64) -> (u64, bool) {
         mixed(number, u64::from(cell.cast_unsigned()))
     });
     (number, low != here || high != here)
+}
+
+/// Returns whether a plane shows its checker's colour, and by how much its `own` colour is more than in a cell of the other
+/// kind; no change without a checker. `None` for another shape.
+pub(super) fn open_cell(
+    scene: &Scene,
+    surface: &Surface,
+    own: Vector,
+    shading: Shading,
+) -> Option<(bool, Vector)> {
+    if !matches!(surface.shape, Met::Plane(_)) {
+        return None;
+    }
+    let Some(checker) = surface.material.checker else {
+        return Some((false, Vector::ZERO));
+    };
+    let holds = checker.is_odd(surface.outside);
+    let mut material = *surface.material;
+    material.checker = None;
+    if !holds {
+        material.color = checker.color;
+    }
+    let material = &material;
+    let other = scene.own_color(
+        &Surface {
+            material,
+            ..*surface
+        },
+        shading,
+    );
+    Some((holds, own - other))
 }
 
 /// Returns a number for the disc of a sun that a ray shows, and whether it may be another: the cosine of its angle to

@@ -3,10 +3,10 @@
 
 use std::vec::Vec;
 
-use super::edges::{cell, disc, mixed};
+use super::edges::{cell, disc, mixed, open_cell};
 use super::largest;
 use crate::host::reference::Shading;
-use crate::host::reference::model::{Light, Material, Met, Ray, Scene, Surface, Vector};
+use crate::host::reference::model::{Light, Ray, Scene, Surface, Vector};
 
 /// The grid and the dimness of a prepared scene, which the rounding analysis needs. It comes from
 /// [`crate::host::precision`].
@@ -43,10 +43,13 @@ pub struct Stage {
     pub(super) open_trail: u64,
     /// For each of the first hits whether it shows a plane's checker's colour, and by how much more light its cell sends
     /// along the path than one of the other kind.
-    cells: [(bool, Vector); 5],
+    pub(super) cells: [(bool, Vector); FIRST],
     /// Whether rounding may change a decision, so that the bound may not hold.
     pub is_unsure: bool,
 }
+
+/// Number of hits that fixed point stores to find out what lies between two paths.
+const FIRST: usize = 5;
 
 impl Followed {
     /// Returns the stage at which fixed point ends the path: after `reflections` reflections, or where
@@ -67,17 +70,15 @@ impl Stage {
         rounding: 0.0,
         trail: 0,
         open_trail: 0,
-        cells: [(false, Vector::ZERO); 5],
+        cells: [(false, Vector::ZERO); FIRST],
         is_unsure: false,
     };
 
-    /// Returns the colour that the path has in the cells that another path shows.
-    pub(super) fn color_in(&self, cells: &Self) -> Vector {
-        let pairs = self.cells.iter().zip(&cells.cells);
-        let other = pairs.filter(|((kind, _), (wanted, _))| kind != wanted);
-        other.fold(Vector(self.color), |color, ((_, change), _)| {
-            color - *change
-        })
+    /// Adds what a ray meets to the trails, and the cell in which it does. Those of planes are open.
+    fn note(&mut self, met: [u64; 2], cell: u64, is_open: bool) {
+        let with = |trail, cell| mixed(met.into_iter().fold(trail, mixed), cell);
+        self.trail = with(self.trail, cell);
+        self.open_trail = with(self.open_trail, if is_open { 0 } else { cell });
     }
 
     /// Returns the stage after a ray in a direction hits nothing: adds the background, and ends the path. The
@@ -162,28 +163,10 @@ pub(super) fn follow(
         let at = Hit::new(scene, &surface, &ray, drift, step);
         let (lights, error) = at.light(scene, &surface, shading, precision);
         let own = scene.own_color(&surface, shading);
-        let is_open = matches!(surface.shape, Met::Plane(_)) && reflection < stage.cells.len();
-        if let (true, Some(checker)) = (is_open, surface.material.checker) {
-            let holds = checker.is_odd(surface.outside);
-            let color = if holds {
-                surface.material.color
-            } else {
-                checker.color
-            };
-            let material = &Material {
-                color,
-                checker: None,
-                ..*surface.material
-            };
-            let other = scene.own_color(
-                &Surface {
-                    material,
-                    ..surface
-                },
-                shading,
-            );
+        let open = open_cell(scene, &surface, own, shading).filter(|_| reflection < FIRST);
+        if let Some((holds, change)) = open {
             let share = stage.weight * (1.0 - surface.material.mirror);
-            stage.cells[reflection] = (holds, (own - other) * share);
+            stage.cells[reflection] = (holds, change * share);
         }
         stage = stage.lit(own, error, reflection, surface.material.mirror);
         let shape = scene.number(surface.shape) as u64;
@@ -191,11 +174,7 @@ pub(super) fn follow(
         let lights = lights * u64::from(surface.material.mirror < 1.0);
         let (cell, is_near_another) = cell(&surface, at.place);
         let side = 2 * shape + u64::from(surface.is_inside);
-        stage.trail = [side, lights, cell].into_iter().fold(stage.trail, mixed);
-        let open_cell = if is_open { 0 } else { cell };
-        stage.open_trail = [side, lights, open_cell]
-            .into_iter()
-            .fold(stage.open_trail, mixed);
+        stage.note([side, lights], cell, open.is_some());
         stage.is_unsure |= at.is_unsure || is_near_another;
         stages.push(stage);
         if stage.weight < NOTHING {
