@@ -75,7 +75,9 @@ impl<W: World, K: Shading, Q: Quality> Tracer<'_, W, K, Q> {
         if !(one.place.is_near() && other.place.is_near()) {
             return None;
         }
-        let line = PlaneLine::new(self.culling.ahead()?, columns, (paths, level))?;
+        let line = PlaneLine::new(self.culling.ahead()?, columns, (paths, level), |stop| {
+            stop.place
+        })?;
         let (parts, plane) = (world.parts(), (plane, one.shape, one.is_inside));
         let visibility = Culled::<W, Q>::new(world, self.visibility);
         let is_lit = one.lights & bit_modulo_32(index) != 0;

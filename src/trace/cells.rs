@@ -1,6 +1,7 @@
 //! The cells of a checker that the columns of a stretch show.
 
 use super::plane_line::PlaneLine;
+use super::stops::Stop;
 use super::{Stops, Tracer};
 use crate::accel::World;
 use crate::checker::{PLACES, PreparedChecker};
@@ -104,7 +105,16 @@ impl<W: World, K: Shading, Q: Quality> Tracer<'_, W, K, Q> {
     ) -> Option<Cells> {
         let paths = ends.map(Stops::all);
         let checker = checker_of(self.world, paths[0].get(level)?.shape)?;
-        let line = PlaneLine::new(self.culling.ahead()?, columns, (paths, level))?;
+        let parts = self.world.parts();
+        // A place is epsilon above the hit.
+        let hit = |stop: &Stop| match parts.plane(stop.shape) {
+            Some(plane) => {
+                let below = plane.normal.reversed_if(!stop.is_inside);
+                stop.place.lifted(below, parts.epsilon)
+            }
+            None => stop.place,
+        };
+        let line = PlaneLine::new(self.culling.ahead()?, columns, (paths, level), hit)?;
         Cells::new(&line, checker)
     }
 }

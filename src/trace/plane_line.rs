@@ -22,14 +22,16 @@ pub(super) struct PlaneLine<'a> {
 }
 
 impl<'a> PlaneLine<'a> {
-    /// Returns the line between the hits of two paths at this level. `None` if a hit is further away than [`FURTHEST`].
+    /// Returns the line between the hits of two paths at this level. `hit` says where a path hits a plane, as exactly as the
+    /// columns have to be known. `None` if a hit is further away than [`FURTHEST`].
     #[inline(never)]
     pub(super) fn new(
         (eye, ahead): (Point, Direction),
         columns: [u32; 2],
         (paths, level): ([&'a [Stop]; 2], usize),
+        hit: impl Fn(&Stop) -> ScaledPoint,
     ) -> Option<Self> {
-        let [one, other] = paths.map(|path| length((eye, ahead), path.get(..=level)?));
+        let [one, other] = paths.map(|path| length((eye, ahead), path.get(..=level)?, &hit));
         let [(one, length, cosine), (other, end_length, end_cosine)] = [one?, other?];
         let lengths = coarse([length, end_length], 31).map(signed);
         let depths = [(lengths[0], cosine), (lengths[1], end_cosine)]
@@ -82,12 +84,16 @@ impl<'a> PlaneLine<'a> {
 }
 
 /// Returns the last hit of a path, the length of the path, and the cosine of the angle between its first ray and the direction
-/// ahead. `None` if a hit is further away than [`FURTHEST`].
+/// ahead. `None` if a hit is further away than [`FURTHEST`], or if a ray starts within epsilon of it.
 #[inline(never)]
-fn length((eye, ahead): (Point, Direction), path: &[Stop]) -> Option<(&Stop, u64, Unit)> {
+fn length<'a>(
+    (eye, ahead): (Point, Direction),
+    path: &'a [Stop],
+    hit: &impl Fn(&Stop) -> ScaledPoint,
+) -> Option<(&'a Stop, u64, Unit)> {
     let (mut from, mut length, mut cosine) = (ScaledPoint::at(eye), 0, None);
     for stop in path {
-        let (way, scale) = from.to(stop.place);
+        let (way, scale) = from.to(hit(stop));
         if scale > FURTHEST {
             return None;
         }
@@ -96,7 +102,8 @@ fn length((eye, ahead): (Point, Direction), path: &[Stop]) -> Option<(&Stop, u64
         from = stop.place;
         length += u64::from(unsigned(way.to_bits())) << scale;
     }
-    Some((path.last()?, length, cosine?))
+    let cosine = cosine.filter(|it| *it > Unit::ZERO)?;
+    Some((path.last()?, length, cosine))
 }
 
 /// Returns two numbers in so many bits, with their largest common scale.
