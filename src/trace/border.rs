@@ -75,8 +75,8 @@ impl<W: World, K: Shading, Q: Quality> Tracer<'_, W, K, Q> {
         if !(one.place.is_near() && other.place.is_near()) {
             return None;
         }
-        let line = PlaneLine::new(self.culling.ahead()?, columns, (paths, level), |stop| {
-            stop.place
+        let line = PlaneLine::new(self.culling.ahead()?, columns, (paths, level), &|it| {
+            it.place
         })?;
         let (parts, plane) = (world.parts(), (plane, one.shape, one.is_inside));
         let visibility = Culled::<W, Q>::new(world, self.visibility);

@@ -114,7 +114,7 @@ impl<W: World, K: Shading, Q: Quality> Tracer<'_, W, K, Q> {
             }
             None => stop.place,
         };
-        let line = PlaneLine::new(self.culling.ahead()?, columns, (paths, level), hit)?;
+        let line = PlaneLine::new(self.culling.ahead()?, columns, (paths, level), &hit)?;
         Cells::new(&line, checker)
     }
 }

@@ -29,9 +29,9 @@ impl<'a> PlaneLine<'a> {
         (eye, ahead): (Point, Direction),
         columns: [u32; 2],
         (paths, level): ([&'a [Stop]; 2], usize),
-        hit: impl Fn(&Stop) -> ScaledPoint,
+        hit: &dyn Fn(&Stop) -> ScaledPoint,
     ) -> Option<Self> {
-        let [one, other] = paths.map(|path| length((eye, ahead), path.get(..=level)?, &hit));
+        let [one, other] = paths.map(|path| length((eye, ahead), path.get(..=level)?, hit));
         let [(one, length, cosine), (other, end_length, end_cosine)] = [one?, other?];
         let lengths = coarse([length, end_length], 31).map(signed);
         let depths = [(lengths[0], cosine), (lengths[1], end_cosine)]
@@ -89,7 +89,7 @@ impl<'a> PlaneLine<'a> {
 fn length<'a>(
     (eye, ahead): (Point, Direction),
     path: &'a [Stop],
-    hit: &impl Fn(&Stop) -> ScaledPoint,
+    hit: &dyn Fn(&Stop) -> ScaledPoint,
 ) -> Option<(&'a Stop, u64, Unit)> {
     let (mut from, mut length, mut cosine) = (ScaledPoint::at(eye), 0, None);
     for stop in path {
