@@ -73,25 +73,19 @@ pub fn compare(a: &Picture, b: &Picture) -> Result<Difference, SizeMismatch> {
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct SizeMismatch {
-    a: Size,
-    b: Size,
-}
-
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-struct Size {
-    width: u32,
-    height: u32,
-    pixels: usize,
+    /// Width, height and number of pixels of both pictures.
+    sizes: [[u64; 3]; 2],
 }
 
 impl SizeMismatch {
     fn refuse(a: &Picture, b: &Picture) -> Result<(), Self> {
-        let [a, b] = [a, b].map(|picture| Size {
-            width: picture.width,
-            height: picture.height,
-            pixels: picture.pixels.len(),
-        });
-        if a == b { Ok(()) } else { Err(Self { a, b }) }
+        let size = |it: &Picture| [it.width.into(), it.height.into(), it.pixels.len() as u64];
+        let sizes = [size(a), size(b)];
+        if sizes[0] == sizes[1] {
+            Ok(())
+        } else {
+            Err(Self { sizes })
+        }
     }
 }
 
@@ -99,22 +93,16 @@ impl Error for SizeMismatch {}
 
 impl Display for SizeMismatch {
     fn fmt(&self, formatter: &mut Formatter<'_>) -> fmt::Result {
-        let Self { a, b } = self;
+        let [a, b] = self
+            .sizes
+            .map(|[width, height, pixels]| match width * height == pixels {
+                true => format!("{width}x{height}"),
+                false => format!("{width}x{height} with {pixels} pixels"),
+            });
         write!(
             formatter,
             "a picture of {a} and one of {b} cannot be compared"
         )
-    }
-}
-
-impl Display for Size {
-    fn fmt(&self, formatter: &mut Formatter<'_>) -> fmt::Result {
-        write!(formatter, "{}x{}", self.width, self.height)?;
-        let expected = u64::from(self.width) * u64::from(self.height);
-        match self.pixels as u64 == expected {
-            true => Ok(()),
-            false => write!(formatter, " with {} pixels", self.pixels),
-        }
     }
 }
 

@@ -1,13 +1,13 @@
 //! Floor 7: a pixel between its four corners: whether edges cross it, and the shares of the corners.
 
 use super::corner::{Corner, Side};
-use crate::color::Mixture;
+use crate::color::{Levels, Mixture};
 
 /// Largest contrast in a pixel with several edges that takes no samples, in 8-bit levels: nobody sees it.
 const UNSEEN: u32 = 4;
 
-/// Largest contrast of corners between which no edge lies that takes no samples, in 8-bit levels.
-const UNEVEN: u32 = 16;
+/// Largest contrast of points between which no edge lies that takes no samples, in 8-bit levels.
+pub(super) const UNEVEN: u32 = 16;
 
 /// A pixel. Corners and sides go round clockwise; the first corner is the upper left one, the first side the upper one.
 pub(super) struct Cell {
@@ -16,8 +16,8 @@ pub(super) struct Cell {
 }
 
 impl Cell {
-    /// Twice the area of a pixel, in steps of its sides.
-    pub(super) const AREA: u32 = 2 * (Side::LENGTH * Side::LENGTH) as u32;
+    /// Twice the area of a pixel, in steps of its sides: the sum of all weights.
+    const AREA: u32 = 2 * (Side::LENGTH * Side::LENGTH) as u32;
 
     /// Tests whether all four corners meet the same.
     pub(super) fn is_whole(&self) -> bool {
@@ -28,17 +28,10 @@ impl Cell {
     pub(super) fn contrast(&self) -> u32 {
         let divided = self.sides.iter().filter(|side| !side.is_whole()).count();
         let is_tangled = divided > 2 || self.sides.iter().any(|side| side.is_tangled());
-        let [first, second, third, fourth] = &self.corners;
-        let pairs = [
-            (first, second),
-            (second, third),
-            (third, fourth),
-            (fourth, first),
-        ];
+        let next = self.corners.iter().cycle().skip(1);
+        let pairs = self.corners.iter().zip(next);
         // In a tangle all corners count, else those that meet the same.
-        let pairs = pairs
-            .iter()
-            .filter(|(one, other)| is_tangled || one.path == other.path);
+        let pairs = pairs.filter(|(one, other)| is_tangled || one.path == other.path);
         let largest = pairs.fold(0, |largest, (one, other)| largest.max(one.contrast(other)));
         let least = if is_tangled { UNSEEN } else { UNEVEN };
         if largest > least { largest } else { 0 }
@@ -54,15 +47,13 @@ impl Cell {
         mixture
     }
 
-    /// Returns the sum of all four corners' colours.
-    pub(super) fn all(&self) -> Mixture {
-        let [a, b, c, d] = &self.corners;
-        Self::sum([a, b]).with(Self::sum([c, d]))
-    }
-
-    /// Returns the sum of the corners' colours, each times the area of the pixel that is nearest to it. The points where edges
-    /// cross the sides bound these areas. Their sum is [`Cell::AREA`].
-    pub(super) fn shares(&self) -> Mixture {
+    /// Returns the colour of the pixel as its corners tell it: the mean of theirs, each as large as the area of the pixel that is
+    /// nearest to it. The points where edges cross the sides bound these areas.
+    pub(super) fn color(&self) -> Levels {
+        if self.is_whole() {
+            let [a, b, c, d] = &self.corners;
+            return Self::sum([a, b]).with(Self::sum([c, d])).mean(4);
+        }
         const WHOLE: i32 = Side::LENGTH;
         let [top, right, bottom, left] = self.sides.map(Side::at);
         // Edges meet in the middle of the points where they cross the sides.
@@ -90,7 +81,7 @@ impl Cell {
         for (corner, share) in self.corners.iter().zip(shares) {
             mixture.add(corner.color, share);
         }
-        mixture
+        mixture.mean(Self::AREA)
     }
 
     /// Returns the contrast of a sample to the corners, in 8-bit levels; 0 if one of them meets what the sample meets.

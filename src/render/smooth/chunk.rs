@@ -6,6 +6,7 @@ use super::places::{CENTER, PIXEL, Place, enough};
 use super::walker::Walker;
 use super::{CHUNK, ChunkColors};
 use crate::accel::World;
+use crate::color::Mixture;
 use crate::number::{low_word, to_u8, to_u32};
 use crate::qualities::Quality;
 use crate::render::interpolate::fill;
@@ -137,23 +138,24 @@ impl<'c> Chunk<'c> {
             };
             let (told, is_whole) = (news.of(place), cell.is_whole());
             let contrast = cell.contrast().max(told);
+            *color = cell.color();
             if contrast == 0 && !is_whole {
-                *color = cell.shares().mean(Cell::AREA);
                 continue;
             }
             let places = match is_whole && told == 0 {
                 true => CENTER,
                 false => enough(contrast, walker.tolerance()),
             };
-            let mut mixture = cell.all();
+            // What the corners tell counts as one sample.
+            let mut mixture = Mixture::NONE;
+            mixture.add(*color, 1);
             for at in places {
                 let start = [self.first + place, self.upper.line()];
                 let sample = walker.sample(start, *at);
-                // All corners count as one sample.
-                mixture.add(sample.color, 4);
+                mixture.add(sample.color, 1);
                 busy |= news.tell(self, (place, at), &sample);
             }
-            *color = mixture.mean(4 * (1 + to_u32(places.len())));
+            *color = mixture.mean(1 + to_u32(places.len()));
         }
     }
 }

@@ -29,11 +29,7 @@ fn corner(met: u32, is_white: bool) -> Corner {
 /// Returns the level of a pixel with these sides, whose corners are white where `white` says so.
 fn level(white: [bool; 4], sides: [Side; 4]) -> u8 {
     let corners = white.map(|is_white| corner(is_white.into(), is_white));
-    let [level, ..] = Cell { corners, sides }
-        .shares()
-        .mean(Cell::AREA)
-        .sum()
-        .to_rgb8();
+    let [level, ..] = Cell { corners, sides }.color().sum().to_rgb8();
     level
 }
 

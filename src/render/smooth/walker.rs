@@ -1,6 +1,7 @@
 //! Floor 7: traces what pixels with smooth edges need: lines of corners, points of sides, and samples.
 
 use super::CHUNK;
+use super::cell::UNEVEN;
 use super::corner::{Corner, Line, Side};
 use super::places::{PIXEL, Place};
 use crate::accel::World;
@@ -40,7 +41,7 @@ impl<W: World, K: Shading, Q: Quality> Walker<'_, '_, W, K, Q> {
     pub(super) fn tolerance(&self) -> u32 {
         match Q::SMOOTHNESS {
             2 => 24,
-            _ if self.parts() == 1 => 8,
+            _ if self.parts() == 1 => 5,
             _ => 12,
         }
     }
@@ -112,7 +113,8 @@ impl<W: World, K: Shading, Q: Quality> Walker<'_, '_, W, K, Q> {
     }
 
     /// Finds where an edge crosses the side between two corners that meet something else. It begins at the corner in a
-    /// column of a line, and goes on by this step.
+    /// column of a line, and goes on by this step. The side counts as tangled, too, where the colour changes much between a
+    /// corner and the edge: then the corner does not show what lies between.
     #[inline(never)]
     pub(super) fn divided(&mut self, start: [u32; 2], along: Place, ends: [&Corner; 2]) -> Side {
         let mut contrast = ends[0].contrast(ends[1]);
@@ -121,8 +123,9 @@ impl<W: World, K: Shading, Q: Quality> Walker<'_, '_, W, K, Q> {
         while contrast > self.tolerance() && step > 1 {
             contrast /= 2;
             step /= 2;
-            let path = self.point(start, along.map(|part| part * at)).path;
-            at += match ends.map(|end| end.path == path) {
+            let found = self.point(start, along.map(|part| part * at));
+            let is_like = |end: &Corner| end.path == found.path && end.contrast(&found) <= UNEVEN;
+            at += match ends.map(is_like) {
                 [true, _] => step,
                 [_, true] => -step,
                 _ => return Side::tangled(to_u8(unsigned(at))),
