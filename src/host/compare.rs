@@ -73,7 +73,7 @@ pub fn compare(a: &Picture, b: &Picture) -> Result<Difference, SizeMismatch> {
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct SizeMismatch {
-    /// Width, height and number of pixels of both pictures.
+    /// For each of the two pictures: its width, its height, and the number of its pixels.
     sizes: [[u64; 3]; 2],
 }
 

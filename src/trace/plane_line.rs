@@ -22,8 +22,9 @@ pub(super) struct PlaneLine<'a> {
 }
 
 impl<'a> PlaneLine<'a> {
-    /// Returns the line between the hits of two paths at this level. `hit` says where a path hits a plane, as exactly as the
-    /// columns have to be known. `None` if a hit is further away than [`FURTHEST`].
+    /// Returns the line between the hits of two paths at this level. `hit` returns the point of a stop through which the line
+    /// goes: the hit, or the place epsilon above it where that is exact enough. `None` if a hit is further away than
+    /// [`FURTHEST`].
     #[inline(never)]
     pub(super) fn new(
         (eye, ahead): (Point, Direction),

@@ -47,8 +47,8 @@ impl Cell {
         mixture
     }
 
-    /// Returns the colour of the pixel as its corners tell it: the mean of theirs, each as large as the area of the pixel that is
-    /// nearest to it. The points where edges cross the sides bound these areas.
+    /// Returns the mean of the corners' colours. The weight of each is the area of the part of the pixel that is nearest to it;
+    /// the points where edges cross the sides bound these parts.
     pub(super) fn color(&self) -> Levels {
         if self.is_whole() {
             let [a, b, c, d] = &self.corners;

@@ -146,7 +146,7 @@ impl<'c> Chunk<'c> {
                 true => CENTER,
                 false => enough(contrast, walker.tolerance()),
             };
-            // What the corners tell counts as one sample.
+            // The mean of the corners counts as one sample.
             let mut mixture = Mixture::NONE;
             mixture.add(*color, 1);
             for at in places {

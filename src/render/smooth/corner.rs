@@ -46,7 +46,7 @@ impl Side {
     /// A side whose ends meet the same.
     pub(super) const WHOLE: Self = Self(0);
 
-    /// Added where more than one edge crosses a side, or where the colour changes much beside it.
+    /// Added where more than one edge crosses a side, or where the colour changes much between a corner and an edge.
     const TANGLED: u8 = 1 << 6;
 
     /// A side that an edge crosses `at` this distance from its left or upper end, 1 to 31 steps.
@@ -54,7 +54,7 @@ impl Side {
         Self(at)
     }
 
-    /// A side whose corners do not tell what lies between. An edge crosses it `at` this distance.
+    /// A side that more than one edge crosses, or along which the colour changes much. An edge crosses it `at` this distance.
     pub(super) fn tangled(at: u8) -> Self {
         Self(at | Self::TANGLED)
     }
@@ -64,7 +64,7 @@ impl Side {
         self == Self::WHOLE
     }
 
-    /// Tests whether the corners do not tell what lies between them.
+    /// Tests whether more than one edge crosses the side, or the colour changes much along it.
     pub(super) fn is_tangled(self) -> bool {
         self.0 & Self::TANGLED != 0
     }

@@ -48,7 +48,7 @@ pub(super) fn error(row: &[&Stage], x: usize, block: usize, tolerance: f64) -> (
 }
 
 impl Stage {
-    /// Returns the colour that the path has in the cells that another path shows.
+    /// Returns the colour that this path would have if it met checkers in the same kinds of cells as the path `cells`.
     fn color_in(&self, cells: &Self) -> Vector {
         let pairs = self.cells.iter().zip(&cells.cells);
         let other = pairs.filter(|((kind, _), (wanted, _))| kind != wanted);

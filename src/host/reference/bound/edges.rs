@@ -18,8 +18,8 @@ pub(super) fn cell(surface: &Surface, error: f64) -> (u64, bool) {
     (number, low != here || high != here)
 }
 
-/// Returns whether a plane shows its checker's colour, and by how much its `own` colour is more than in a cell of the other
-/// kind; no change without a checker. `None` for another shape.
+/// Returns whether a point of a plane lies in a cell of its checker's colour, and its `own` colour minus the one that it would
+/// have in a cell of the other kind. Without a checker the two are the same. `None` for a shape that is no plane.
 pub(super) fn open_cell(
     scene: &Scene,
     surface: &Surface,

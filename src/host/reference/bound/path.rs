@@ -74,7 +74,7 @@ impl Stage {
         is_unsure: false,
     };
 
-    /// Adds what a ray meets to the trails, and the cell in which it does. Those of planes are open.
+    /// Adds a hit to both trails: its shape and lights, and the cell of its checker. `open_trail` leaves out an open cell.
     fn note(&mut self, met: [u64; 2], cell: u64, is_open: bool) {
         let with = |trail, cell| mixed(met.into_iter().fold(trail, mixed), cell);
         self.trail = with(self.trail, cell);
