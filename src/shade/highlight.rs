@@ -2,7 +2,7 @@
 
 use core::marker::PhantomData;
 
-use super::smooth::{Glance, Samples, begins_sharply, may_begin, quarter, samples};
+use super::smooth::{Glance, Samples, Turns, begins_sharply, may_begin, quarter, samples};
 use super::{Lit, Visibility, lit_color, strength_of};
 use crate::background::Beyond;
 use crate::color::{Color, halved};
@@ -36,7 +36,7 @@ pub trait Shading: sealed::Shading {}
 impl<T: sealed::Shading> Shading for T {}
 
 pub(crate) mod sealed {
-    use super::super::smooth::{Glance, Samples};
+    use super::super::smooth::{Glance, Samples, Turns};
     use super::super::{Lit, Visibility};
     use crate::background::Beyond;
     use crate::number::Exponent;
@@ -73,7 +73,7 @@ pub(crate) mod sealed {
         }
 
         /// Returns how many pixels show how the highlight of a light changes between two points of a surface.
-        fn samples(ends: &[Glance; 2], bend: i32, shininess: Exponent) -> Samples;
+        fn samples(ends: &[Glance; 2], turns: &Turns, shininess: Exponent) -> Samples;
 
         /// Returns what a ray in a direction shows that hits nothing.
         fn missed<W: SceneAccess>(world: &W, direction: Direction) -> Beyond;
@@ -114,6 +114,10 @@ impl<K: Highlight> Highlight for Unshadowed<K> {
     fn deviation(glance: &Glance) -> Vector {
         K::deviation(glance)
     }
+
+    fn width(glance: &Glance) -> Unit {
+        K::width(glance)
+    }
 }
 
 impl<H: Highlight> sealed::Shading for H {
@@ -144,8 +148,12 @@ impl<H: Highlight> sealed::Shading for H {
         strength > Brightness::ZERO
     }
 
-    fn samples(ends: &[Glance; 2], bend: i32, shininess: Exponent) -> Samples {
-        let ends = ends.each_ref().map(H::deviation);
+    fn samples(ends: &[Glance; 2], turns: &Turns, shininess: Exponent) -> Samples {
+        let [one, other] = ends.each_ref().map(H::width);
+        let Some(bend) = turns.bend(one.min(other)) else {
+            return Samples::All;
+        };
+        let (ends, bend) = (ends.each_ref().map(H::deviation), bend << (2 * Self::TURNS));
         match begins_sharply::<H>(shininess) && may_begin(ends, bend) {
             true => Samples::All,
             false => samples(ends, bend, shininess),
@@ -175,7 +183,7 @@ impl sealed::Shading for Normals {
         }
     }
 
-    fn samples(_: &[Glance; 2], _: i32, _: Exponent) -> Samples {
+    fn samples(_: &[Glance; 2], _: &Turns, _: Exponent) -> Samples {
         Samples::Three
     }
 
@@ -208,6 +216,11 @@ pub(crate) trait Highlight {
 
     /// Returns the difference of the two unit vectors whose cosine is raised to a power, in Q4.28.
     fn deviation(glance: &Glance) -> Vector;
+
+    /// Returns the squared length of half the sum of two directions, if a highlight depends on the direction of that sum.
+    fn width(_: &Glance) -> Unit {
+        Unit::ONE
+    }
 }
 
 /// The highlight (h · n)ˢʰⁱⁿⁱⁿᵉˢˢ, where h is the unit vector half way between light and viewer.
@@ -227,6 +240,10 @@ impl Highlight for BlinnPhong {
 
     fn deviation(glance: &Glance) -> Vector {
         glance.half_way().minus(quarter(glance.normal))
+    }
+
+    fn width(glance: &Glance) -> Unit {
+        glance.half_square()
     }
 }
 

@@ -5,7 +5,7 @@ pub(crate) mod highlight;
 mod smooth;
 mod visibility;
 
-pub(crate) use smooth::{Glance, Samples, begins_sharply, is_little};
+pub(crate) use smooth::{Glance, Samples, Turns, begins_sharply, is_little};
 
 pub use highlight::{BlinnPhong, Normals, Phong, Shading, Unshadowed};
 pub use visibility::Visibility;

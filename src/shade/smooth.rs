@@ -6,7 +6,8 @@
 
 use super::highlight::sealed::Shading;
 use crate::number::{
-    Exponent, narrowed_unsigned, ratio, square_root, unsigned_wide, wide, wide_unsigned,
+    Exponent, Unit, narrowed_unsigned, ratio, root_of_unit, square_root, unit_product, unsigned,
+    unsigned_wide, wide, wide_unsigned,
 };
 use crate::vector::{Direction, Vector};
 
@@ -27,6 +28,56 @@ impl Glance {
         let sum = quarter(self.view).plus(quarter(self.along));
         let (direction, _) = sum.normalised();
         quarter(direction.reversed())
+    }
+
+    /// Returns the squared length of half the sum of the directions to the light and to the viewer.
+    pub(super) fn half_square(&self) -> Unit {
+        Unit::from_bits((1 << 29) + (self.view.dot(self.along).to_bits() >> 1))
+    }
+}
+
+/// How what a highlight depends on turns between two points.
+pub struct Turns {
+    /// Lengths of the changes of the normal and of the directions to the light and to the eye, Q2.30.
+    pub(crate) normal: i32,
+    pub(crate) light: i32,
+    pub(crate) view: i32,
+    /// Radius of the circle on which the normals turn. The directions turn on circles of radius 1.
+    pub(crate) circle: Unit,
+}
+
+impl Turns {
+    /// Returns by how much the vector that a highlight depends on may be off a straight line, in Q4.28. `square` is at most
+    /// the squared length of half the sum of the directions to light and viewer at both points, if the highlight depends on
+    /// the direction of that sum, else 1. `None` if they turn too much.
+    ///
+    /// A chord c of a circle of radius k is off the arc by c² / (8 k), and by a fifteenth more up to 60 degrees. Twice that is
+    /// taken for the sum of all three, because they do not turn in step. The direction of a sum turns by no more than the
+    /// sum moves over its least length. Between two points of at least the length m, the line of a sum that moves by c keeps
+    /// the length √(m² - c² / 4), and the sum is off that line by less than c² / 4.
+    pub(super) fn bend(&self, square: Unit) -> Option<i32> {
+        /// The square of half a sum of length 1.
+        const SHORT: Unit = Unit::from_bits(1 << 28);
+        // Half of each, so that the sum fits.
+        let mut half = (self.light >> 1) + (self.view >> 1) + 2;
+        let way = Unit::from_bits(half);
+        let moved = unit_product(way, way).to_bits();
+        let least = square.to_bits() - (moved - (moved >> 2));
+        if way >= Unit::ONE || least <= 0 {
+            return None;
+        }
+        if least < SHORT.to_bits() {
+            let length = root_of_unit(Unit::from_bits(least)).to_bits();
+            if half >> 1 >= length {
+                return None;
+            }
+            half = ratio(unsigned(half >> 1), unsigned(length)) + 1;
+        }
+        let half = half.saturating_add((self.normal >> 1) + 1);
+        let half = Some(Unit::from_bits(half)).filter(|half| *half < Unit::ONE)?;
+        let square = unit_product(half, half);
+        let [square_bits, circle_bits] = [square, self.circle].map(|it| unsigned(it.to_bits()));
+        (square < self.circle).then(|| ratio(square_bits, circle_bits) >> 2)
     }
 }
 
@@ -119,3 +170,6 @@ fn nearest(one: Vector, other: Vector, change: Vector) -> i32 {
     let along = wide_unsigned(narrowed_unsigned(back >> 28), share.unsigned_abs()) >> 2;
     square_root(one.square().saturating_sub(along))
 }
+
+#[cfg(test)]
+mod tests;

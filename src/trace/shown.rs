@@ -12,7 +12,7 @@ use crate::number::{
 use crate::ray::ScaledPoint;
 use crate::scene::access::Parts;
 use crate::shade::highlight::sealed::Shading;
-use crate::shade::{Glance, Samples, begins_sharply, is_little};
+use crate::shade::{Glance, Samples, Turns, begins_sharply, is_little};
 use crate::shape::bordered::Ball;
 use crate::shape::rays::Rays;
 use crate::vector::{Direction, Point};
@@ -144,14 +144,13 @@ impl Shown<'_> {
             true => Samples::Five,
             false => Samples::Three,
         };
-        let turns = [self.turn.to_bits(), rays.turn.to_bits(), view];
-        match bend_of_highlight(turns, self.circle) {
-            Some(bend) => {
-                let bend = bend << (2 * K::TURNS);
-                least.max(K::samples(&glances, bend, self.material.shininess))
-            }
-            None => Samples::All,
-        }
+        let turns = Turns {
+            normal: self.turn.to_bits(),
+            light: rays.turn.to_bits(),
+            view,
+            circle: self.circle,
+        };
+        least.max(K::samples(&glances, &turns, self.material.shininess))
     }
 
     /// Returns the directions from the eye to the two ends.
@@ -214,21 +213,6 @@ impl Shown<'_> {
         let change = narrowed(change) << K::TURNS;
         is_little(change, self.material.shininess)
     }
-}
-
-/// Returns by how much the vector that a highlight depends on may be off a straight line, in Q4.28. `turns` are the
-/// lengths of the changes of the normal and of the directions to the light and to the eye, Q2.30. The normals turn on a
-/// circle of the radius `circle`, the directions on circles of radius 1. `None` if they turn too much.
-///
-/// A chord c of a circle of radius k is off the arc by c² / (8 k), and by a fifteenth more up to 60 degrees. Twice
-/// that is taken for the sum of all three, because they do not turn in step.
-fn bend_of_highlight(turns: [i32; 3], circle: Unit) -> Option<i32> {
-    // Half of each, so that the sum fits.
-    let half = turns.iter().map(|turn| (turn >> 1) + 1).sum::<i32>();
-    let half = Some(Unit::from_bits(half)).filter(|half| *half < Unit::ONE)?;
-    let square = unit_product(half, half);
-    let [square_bits, circle_bits] = [square, circle].map(|it| unsigned(it.to_bits()));
-    (square < circle).then(|| ratio(square_bits, circle_bits) >> 2)
 }
 
 /// Returns an upper bound of how far the height of a light above a curved surface is off the straight line between its

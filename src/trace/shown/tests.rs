@@ -89,16 +89,6 @@ fn height_of_a_light_bends_no_more_than_its_bound() {
 }
 
 #[test]
-fn highlight_has_no_bound_where_everything_turns_by_sixty_degrees() {
-    let one = Unit::ONE.to_bits();
-    assert_eq!(bend_of_highlight([one; 3], Unit::ONE), None);
-    assert_eq!(bend_of_highlight([one, one, 0], Unit::ONE), None);
-    // A quarter of the square of half the sum.
-    let bend = bend_of_highlight([one / 4; 3], Unit::ONE).unwrap();
-    assert!((bend - one / 256 * 9).abs() < 16, "{bend}");
-}
-
-#[test]
 fn light_between_two_places_turns_too_much() {
     let [first, last] = opposite();
     assert_eq!(turn_between(first, last), Unit::ONE);
