@@ -92,12 +92,35 @@ impl RayGenerator {
         self.plane(self.middle(y, down), origin)
     }
 
+    /// Returns the direction of the ray through a point to the right of the centre of a pixel, and below it, in 64ths of a
+    /// pixel.
+    pub(crate) fn through(&self, [column, y]: [u32; 2], [right, down]: [i32; 2]) -> Direction {
+        // From the middle of the picture, in half pixels, 32 of which are 64ths of a pixel.
+        let [across, up] = [
+            32 * (1 - signed(self.width) + 2 * signed(column)) + right,
+            32 * (signed(self.height) - 1 - 2 * signed(y)) - down,
+        ];
+        let aside = ((self.side() >> 5) * i64::from(across)) >> 32;
+        let at = |axis: usize, right: i32| {
+            let middle = self.ahead[axis] + (self.up[axis] >> 5) * i64::from(up);
+            ((middle + wide(right, aside as i32)) >> 32) as i32
+        };
+        let Vector { x, y, z } = self.right.raw();
+        let way = Vector::new(at(0, x), at(1, y), at(2, z));
+        way.direction_of_square(way.square())
+    }
+
+    /// Returns four times the length of half a pixel, with 32 more fraction bits.
+    fn side(&self) -> i64 {
+        shifted(1 << 32, self.scale)
+    }
+
     /// Prepares the directions of a row from the vector to its middle.
     #[inline(always)]
     fn directions(&self, middle: [i64; 3]) -> RowDirections {
         let horizontal = 1 - i64::from(self.width);
         let [x, y, z] = middle.map(|coordinate| (coordinate >> 32) as i32);
-        let side = shifted(1 << 32, self.scale);
+        let side = self.side();
         RowDirections {
             middle,
             right: self.right,
@@ -183,12 +206,6 @@ impl RowDirections {
         // The vector to a pixel is below 2⁶¹ (`Camera::generator`), and that to the column after the picture, where smooth
         // edges have corners, below 2⁶². So the sum does not wrap.
         self.towards(self.aside(column))
-    }
-
-    /// Returns the direction of the ray through a point beside the centre of a pixel, in 64ths of a pixel.
-    pub(crate) fn beside(&self, column: u32, right: i32) -> Direction {
-        let more = (self.step_aside >> 6) * i64::from(right);
-        self.towards(at(self.aside + more, self.step_aside, column))
     }
 
     /// Returns the direction of a ray. `aside` is four times the signed distance of its point from the middle of the row.

@@ -7,9 +7,9 @@
 //! colour changes steeply, samples inside of the pixel are traced instead. The higher the contrast, the finer the bisection,
 //! and the more samples.
 //!
-//! So a picture takes one line of corners for each row of pixels, and one more; a line is computed as any other row. With
-//! `Smooth<4>` a row that shows thin shapes, or small balls that mirror, takes two lines, and is the mean of the parts between
-//! them. A row leaves its last line to the row below ([`Seam`]).
+//! So a picture takes one line of corners for each row of pixels, and one more; a line is computed as any other row. A row
+//! that shows thin shapes, or small balls that mirror, takes two lines, and is the mean of the parts between them. A row
+//! leaves its last line to the row below ([`Seam`]).
 //!
 //! A row is computed in chunks of columns at fixed places, so a part of it has the colours that it has in the whole row.
 
@@ -158,9 +158,8 @@ impl<'a, S: Drawable, Q: Quality, K: Shading> Rows<'a, S, Q, K> {
         let eye = tracer.visibility.from.point;
         let width = self.sides()[0];
         // From a far camera, shapes are small.
-        let edge = || generator.row_plane_below((y, 0), eye);
-        let is_divided = Walker::<S::World<'a>, K, Q>::MAY_DIVIDE
-            && (!tracer.is_near() || shows_thin(tracer.world, &edge(), width));
+        let is_divided = !tracer.is_near()
+            || shows_thin(tracer.world, &generator.row_plane_below((y, 0), eye), width);
         let first = x & !(CHUNK - 1);
         let mut colors = SmoothColors {
             walker: Walker {

@@ -64,7 +64,7 @@ fn compare<W: World>(world: &W, camera: &Camera, name: &str) {
             });
             assert_eq!(found, exact, "{name}: pixel {x}, {y} of {camera:?}");
             let [right, down] = [x, y].map(|it| if it % 2 == 0 { -63 } else { 63 });
-            let direction = generator.row_below(y, down).beside(x, right);
+            let direction = generator.through([x, y], [right, down]);
             let [found, exact] = [&mut some, &mut unbounded].map(|it| {
                 let mut stops = Stops::NONE;
                 let pixel = Pixel::Beside(&mut beside, x);

@@ -6,8 +6,8 @@
 
 use super::highlight::sealed::Shading;
 use crate::number::{
-    Exponent, Unit, narrowed_unsigned, ratio, root_of_unit, square_root, unit_product, unsigned,
-    unsigned_wide, wide, wide_unsigned,
+    Exponent, Unit, narrowed_unsigned, ratio, square_root, unit_product, unsigned, unsigned_wide,
+    wide, wide_unsigned,
 };
 use crate::vector::{Direction, Vector};
 
@@ -56,28 +56,17 @@ impl Turns {
     /// sum moves over its least length. Between two points of at least the length m, the line of a sum that moves by c keeps
     /// the length √(m² - c² / 4), and the sum is off that line by less than c² / 4.
     pub(super) fn bend(&self, square: Unit) -> Option<i32> {
-        /// The square of half a sum of length 1.
-        const SHORT: Unit = Unit::from_bits(1 << 28);
         // Half of each, so that the sum fits.
-        let mut half = (self.light >> 1) + (self.view >> 1) + 2;
-        let way = Unit::from_bits(half);
-        let moved = unit_product(way, way).to_bits();
-        let least = square.to_bits() - (moved - (moved >> 2));
-        if way >= Unit::ONE || least <= 0 {
-            return None;
-        }
-        if least < SHORT.to_bits() {
-            let length = root_of_unit(Unit::from_bits(least)).to_bits();
-            if half >> 1 >= length {
-                return None;
-            }
-            half = ratio(unsigned(half >> 1), unsigned(length)) + 1;
-        }
-        let half = half.saturating_add((self.normal >> 1) + 1);
+        let moved = Unit::from_bits((self.light >> 1) + (self.view >> 1) + 2);
+        let half = moved.to_bits().saturating_add((self.normal >> 1) + 1);
         let half = Some(Unit::from_bits(half)).filter(|half| *half < Unit::ONE)?;
+        let moved = unit_product(moved, moved).to_bits();
+        // A quarter of the sum's squared length, up to 1.
+        let least = (square.to_bits() - (moved - (moved >> 2))).min(1 << 28);
+        let circle = unit_product(self.circle, Unit::from_bits(4 * least));
         let square = unit_product(half, half);
-        let [square_bits, circle_bits] = [square, self.circle].map(|it| unsigned(it.to_bits()));
-        (square < self.circle).then(|| ratio(square_bits, circle_bits) >> 2)
+        let bits = |it: Unit| unsigned(it.to_bits());
+        (square < circle).then(|| ratio(bits(square), bits(circle)) >> 2)
     }
 }
 

@@ -148,25 +148,16 @@ fn sixty_four_steps_are_one_pixel() {
         change.square() > 1 << 12
     };
     for y in [0, 30, 88] {
-        let [row, below, next] =
-            [(y, 0), (y, 64), (y + 1, 0)].map(|(y, down)| generator.row_below(y, down));
+        let [row, next] = [y, y + 1].map(|y| generator.row(y));
         for column in [0, 59, 118] {
-            assert!(
-                !far(below.of(column), next.of(column)),
-                "row {y}, column {column}"
-            );
-            assert!(
-                !far(row.beside(column, 64), row.of(column + 1)),
-                "row {y}, column {column}"
-            );
-            assert!(
-                far(row.beside(column, 1), row.of(column)),
-                "row {y}, column {column}"
-            );
-            assert!(
-                far(generator.row_below(y, 1).of(column), row.of(column)),
-                "row {y}, column {column}"
-            );
+            let through = |right, down| generator.through([column, y], [right, down]);
+            let place = format!("row {y}, column {column}");
+            assert!(!far(through(0, 64), next.of(column)), "{place}");
+            assert!(!far(through(64, 0), row.of(column + 1)), "{place}");
+            assert!(far(through(1, 0), row.of(column)), "{place}");
+            assert!(far(through(0, 1), row.of(column)), "{place}");
+            let below = generator.row_below(y, 23).of(column);
+            assert!(!far(through(0, 23), below), "{place}");
         }
     }
 }
@@ -179,7 +170,7 @@ fn corners_are_half_a_pixel_from_the_centres() {
     for y in [0, 45, 89] {
         for x in [0, 60, 119] {
             let center = pixels.row(y).of(x);
-            let found = corners.row_below(y, 32).beside(x, 32);
+            let found = corners.through([x, y], [32, 32]);
             let off = center.change_to(found).unwrap().square();
             assert!(off < 1 << 12, "pixel {x}, {y}: {off}");
         }

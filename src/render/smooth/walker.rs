@@ -28,21 +28,18 @@ pub(super) struct Walker<'s, 'a, W: World, K, Q> {
 }
 
 impl<W: World, K: Shading, Q: Quality> Walker<'_, '_, W, K, Q> {
-    /// Whether a row of pixels may have two parts.
-    pub(super) const MAY_DIVIDE: bool = Q::SMOOTHNESS == 4;
-
     /// Returns into how many parts lines of corners divide the row of pixels.
     pub(super) fn parts(&self) -> u32 {
-        1 + u32::from(Self::MAY_DIVIDE && self.is_divided)
+        1 + u32::from(self.is_divided)
     }
 
-    /// Returns the largest contrast that an edge may be off by, and that a sample may stand for, in 8-bit levels. It is larger
-    /// in a row of two parts, each of which counts half.
+    /// Returns the largest contrast that an edge may be off by, and that a sample may stand for, in 8-bit levels. In a row
+    /// of two parts each counts half.
     pub(super) fn tolerance(&self) -> u32 {
         match Q::SMOOTHNESS {
-            2 => 24,
-            _ if self.parts() == 1 => 5,
-            _ => 12,
+            _ if self.is_divided => 12,
+            2 => 32,
+            _ => 5,
         }
     }
 
@@ -143,7 +140,7 @@ impl<W: World, K: Shading, Q: Quality> Walker<'_, '_, W, K, Q> {
     #[inline(never)]
     fn point(&mut self, [column, line]: [u32; 2], [right, down]: Place) -> Corner {
         let (y, below) = Self::place(line);
-        let directions = self.generator.row_below(y, below + down);
-        Corner::of(self.row.beside(column, directions.beside(column, right)))
+        let direction = self.generator.through([column, y], [right, below + down]);
+        Corner::of(self.row.beside(column, direction))
     }
 }
