@@ -103,7 +103,7 @@ impl<W: World, K: sealed::Shading, Q: Quality> SmoothColors<'_, '_, W, K, Q> {
             return;
         };
         let above = 2 * walker.y;
-        if !upper.is_of(above, first) {
+        if !upper.is_of([above, first], walker.is_divided) {
             walker.walk(above, first, upper);
         }
         for part in 1..=walker.parts() {

@@ -102,6 +102,7 @@ fn rows_have_the_same_colours_however_they_are_drawn() {
         let source = Source::built_in(name).unwrap();
         for size in [[1, 3], [33, 20], [100, 60], [176, 30], [340, 9]] {
             assert_same_however_drawn::<Smooth<2>>(&source, size);
+            assert_same_however_drawn::<Smooth<4>>(&source, size);
         }
         assert_same_however_drawn::<Smooth<4, Exact>>(&source, [70, 12]);
         assert_same_however_drawn::<Smooth<2, Small>>(&source, [70, 12]);
@@ -202,7 +203,8 @@ fn wire_and_fence_are_whole() {
         let judge = Judge::new(source.unwrap());
         let drawn = [Quality::Fast, Quality::Smooth2, Quality::Smooth4].map(|it| judge.drawn(it));
         println!("{name}: {drawn:.1?} dB");
-        assert!(drawn[1] >= drawn[0] + 5.0, "{name}: {drawn:?}");
-        assert!(drawn[2] >= drawn[1] + 2.0, "{name}: {drawn:?}");
+        // Both take a second line there, and find edges nearly as finely.
+        assert!(drawn[1] >= drawn[0] + 10.0, "{name}: {drawn:?}");
+        assert!(drawn[2] >= drawn[1], "{name}: {drawn:?}");
     }
 }

@@ -87,7 +87,7 @@ pub(crate) struct Line {
     /// A bit for each side that an edge crosses.
     pub(super) crossed: u32,
     /// From the highest bit: the number of the line plus one, in 18 bits, so that all zeros are a line that is not known; the
-    /// number of the chunk, in 12 bits; [`Line::FLAT`] and [`Line::ONE`].
+    /// number of the chunk, in 11 bits; [`Line::DIVIDED`], [`Line::FLAT`] and [`Line::ONE`].
     place: u32,
 }
 
@@ -100,6 +100,9 @@ impl Line {
         place: 0,
     };
 
+    /// Set if the sides were divided for a row of pixels of two parts, where edges are found to another tolerance.
+    const DIVIDED: u32 = 4;
+
     /// Set if all corners are known to have one colour, because no path hits anything.
     const FLAT: u32 = 2;
 
@@ -107,14 +110,16 @@ impl Line {
     /// lights.
     const ONE: u32 = 1;
 
-    /// Returns what `place` holds of a line of the chunk that begins at column `first`, without flags.
-    fn place_of(line: u32, first: u32) -> u32 {
-        ((line + 1) << 14) | (first / CHUNK) << 2
+    /// Returns what `place` holds of a line of the chunk that begins at column `first`, for a row of pixels that `is_divided` or
+    /// not, without the other flags.
+    fn place_of([line, first]: [u32; 2], is_divided: bool) -> u32 {
+        let flag = if is_divided { Self::DIVIDED } else { 0 };
+        ((line + 1) << 14) | (first / CHUNK) << 3 | flag
     }
 
-    /// Tests whether this is a line of the chunk that begins at column `first`.
-    pub(super) fn is_of(&self, line: u32, first: u32) -> bool {
-        self.place & !(Self::FLAT | Self::ONE) == Self::place_of(line, first)
+    /// Tests whether this is a line of the chunk that begins at column `first`, for a row of pixels that `is_divided` or not.
+    pub(super) fn is_of(&self, at: [u32; 2], is_divided: bool) -> bool {
+        self.place & !(Self::FLAT | Self::ONE) == Self::place_of(at, is_divided)
     }
 
     /// Returns the line, counted from the top.
@@ -159,9 +164,10 @@ impl Line {
         self.place += lines << 14;
     }
 
-    /// Makes it a line of the chunk that begins at column `first`, whose sides no edge crosses.
-    pub(super) fn begin(&mut self, line: u32, first: u32) {
-        self.place = Self::place_of(line, first);
+    /// Makes it a line of the chunk that begins at column `first`, whose sides no edge crosses, for a row of pixels that
+    /// `is_divided` or not.
+    pub(super) fn begin(&mut self, at: [u32; 2], is_divided: bool) {
+        self.place = Self::place_of(at, is_divided);
         self.sides = [Side::WHOLE; CHUNK as usize];
         self.crossed = 0;
     }

@@ -106,9 +106,10 @@ fn side_knows_where_an_edge_crosses_it() {
 #[test]
 fn line_is_known_for_its_own_chunk_only() {
     let mut line = Line::NONE;
-    assert!(!line.is_of(0, 0));
-    line.begin(3, 32);
-    assert!(line.is_of(3, 32) && !line.is_of(3, 0) && !line.is_of(4, 32));
+    assert!(!line.is_of([0, 0], false));
+    line.begin([3, 32], false);
+    assert!(line.is_of([3, 32], false) && !line.is_of([3, 32], true));
+    assert!(!line.is_of([3, 0], false) && !line.is_of([4, 32], false));
     // As the pages say.
     assert_eq!(size_of::<Line>(), 304);
 }

@@ -37,8 +37,9 @@ impl<W: World, K: Shading, Q: Quality> Walker<'_, '_, W, K, Q> {
     /// of two parts each counts half.
     pub(super) fn tolerance(&self) -> u32 {
         match Q::SMOOTHNESS {
-            _ if self.is_divided => 12,
+            2 if self.is_divided => 16,
             2 => 32,
+            _ if self.is_divided => 12,
             _ => 5,
         }
     }
@@ -61,7 +62,7 @@ impl<W: World, K: Shading, Q: Quality> Walker<'_, '_, W, K, Q> {
             self.line = line;
             self.row.turn(self.generator, Self::place(line), first);
         }
-        found.begin(line, first);
+        found.begin([line, first], self.is_divided);
         let last = (first + CHUNK).min(self.width);
         let [walked @ .., after] = &mut found.corners;
         let count = CHUNK.min(self.width + 1 - first);

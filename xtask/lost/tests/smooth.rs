@@ -28,9 +28,7 @@ fn corners_are_better_than_four_samples_on_average() {
             "{:>20}: four samples {four:.1}, Smooth<2> {two:.1}, Smooth<4> {more:.1} dB",
             case.name
         );
-        // What is thinner than a pixel and lies between all corners is missed: in fences, and far away.
-        assert!(two >= four - 5.0, "{}", case.name);
-        assert!(more >= four - 1.5, "{}", case.name);
+        assert!(two.min(more) >= four - 1.5, "{}", case.name);
         gain += two - four;
     }
     gain /= SCENES as f64;
