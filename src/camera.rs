@@ -190,10 +190,7 @@ impl Camera {
     const fn try_from_description(description: CameraDescription) -> Result<Self, Error> {
         let fov = description.fov;
         let is_held = fov.to_bits() >= NARROWEST.to_bits() && fov.to_bits() <= WIDEST.to_bits();
-        let cotangent = match is_held {
-            true => cotangent_of_half(fov),
-            false => None,
-        };
+        let cotangent = if is_held { cotangent_of_half(fov) } else { None };
         Self::aimed(description, cotangent)
     }
 

@@ -98,11 +98,7 @@ impl<const PRECISE: bool> Lighting<PRECISE> {
     #[inline(always)]
     pub fn grey(brightness: Brightness) -> Self {
         let bits = brightness.to_bits();
-        let rounded = if PRECISE {
-            bits
-        } else {
-            (bits + (1 << 5)) >> 6
-        };
+        let rounded = if PRECISE { bits } else { (bits + (1 << 5)) >> 6 };
         Self([rounded; 3])
     }
 
@@ -142,10 +138,7 @@ pub(crate) const fn brightness(number: Number) -> Brightness {
 
 /// Returns the larger of two components.
 const fn larger(one: Brightness, other: Brightness) -> Brightness {
-    match one.to_bits() > other.to_bits() {
-        true => one,
-        false => other,
-    }
+    if one.to_bits() > other.to_bits() { one } else { other }
 }
 
 /// Half of an 8-bit level, as a part of a [`Sum`].

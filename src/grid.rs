@@ -70,11 +70,7 @@ impl Grid {
     #[inline(never)]
     pub(crate) const fn length(&self, number: Number) -> Length {
         let steps = (number.to_bits() + (1 << (self.drop - 1))) >> self.drop;
-        Length::from_bits(if steps > 1 << 30 {
-            1 << 30
-        } else {
-            narrowed(narrowed_128(steps))
-        })
+        Length::from_bits(if steps > 1 << 30 { 1 << 30 } else { narrowed(narrowed_128(steps)) })
     }
 
     /// Converts a position to steps from the middle of the scene, rounded to the nearest step. A far

@@ -238,9 +238,10 @@ const fn falloff((range, exponent): (i32, i32), distance: Length, scale: u32) ->
     let up = leading_zeros(distance) - 1;
     let distance = signed(distance << up);
     let gap = exponent + signed(up) - signed(scale);
-    let (range, distance) = match gap > 0 {
-        true => (range, distance >> shift_of(unsigned(gap))),
-        false => (range >> shift_of(unsigned(-gap)), distance),
+    let (range, distance) = if gap > 0 {
+        (range, distance >> shift_of(unsigned(gap)))
+    } else {
+        (range >> shift_of(unsigned(-gap)), distance)
     };
     let square = wide_positive(range, range);
     let sum = square + wide_positive(distance, distance);

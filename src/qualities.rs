@@ -58,10 +58,7 @@ pub trait Quality {
 
     /// Culling techniques that frames of this quality use.
     #[doc(hidden)]
-    const CULLING: Culling = match Self::IS_SMALL {
-        true => Culling::LISTS,
-        false => Culling::ALL,
-    };
+    const CULLING: Culling = if Self::IS_SMALL { Culling::LISTS } else { Culling::ALL };
 }
 
 /// Switches of the culling techniques.

@@ -89,11 +89,7 @@ impl ScaledPoint {
     /// Creates a near point, or returns `None` if a coordinate is not from -[`NEAR`] to below [`NEAR`].
     #[inline(always)]
     pub(crate) const fn near(point: Point) -> Option<Self> {
-        if is_near(point) {
-            Some(Self::at(point))
-        } else {
-            None
-        }
+        if is_near(point) { Some(Self::at(point)) } else { None }
     }
 
     /// Returns the point `epsilon` above a surface point, along `normal`. Every ray that leaves the
@@ -121,11 +117,7 @@ impl ScaledPoint {
         if self.scale | other.scale == 0 {
             return (self.point.to(other.point), 0);
         }
-        let scale = if self.scale > other.scale {
-            self.scale
-        } else {
-            other.scale
-        };
+        let scale = if self.scale > other.scale { self.scale } else { other.scale };
         let from = self.point.coarser(shift_of(scale - self.scale));
         let to = other.point.coarser(shift_of(scale - other.scale));
         (from.to(to), scale)

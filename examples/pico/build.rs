@@ -3,10 +3,7 @@
 
 fn main() {
     let variable = |name: &str| std::env::var(name).expect("cargo sets it");
-    let chip = match variable("TARGET").starts_with("thumbv6m") {
-        true => "rp2040",
-        false => "rp2350",
-    };
+    let chip = if variable("TARGET").starts_with("thumbv6m") { "rp2040" } else { "rp2350" };
     println!("cargo::rustc-check-cfg=cfg(rp2040, rp2350)");
     println!("cargo::rustc-cfg={chip}");
     // The linker reads a copy of the memory map: a path to this folder would be wrong in a copy of the example.

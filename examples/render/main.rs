@@ -47,10 +47,7 @@ fn run(arguments: &Arguments) -> Result<(), Failure> {
     let source = Source::open(&arguments.scene, &arguments.chosen)?;
     if arguments.needs {
         let (name, settings) = (source.name(), arguments.settings());
-        let say = match arguments.json {
-            true => needs::json,
-            false => needs::text,
-        };
+        let say = if arguments.json { needs::json } else { needs::text };
         return print(say(name, source.scene().needs(), settings) + "\n");
     }
     #[cfg(feature = "film")]

@@ -81,18 +81,18 @@ pub fn keep_the_scene_file<'p>(
 ) -> Result<(), Failure> {
     let read = &arguments.scene;
     let is_read = matches!(Named::of(read, &arguments.chosen), Ok(Named::File));
-    match is_read && paths.any(|path| are_same_file(path, read)) {
-        true => Err(format!("{} is the scene file: it is not written over", shown(read)).into()),
-        false => Ok(()),
+    if is_read && paths.any(|path| are_same_file(path, read)) {
+        Err(format!("{} is the scene file: it is not written over", shown(read)).into())
+    } else {
+        Ok(())
     }
 }
 
 /// Returns the path `NAME.png` in the current folder. Characters of the name that could lead to
 /// another folder are replaced, and an empty name becomes `scene`.
 fn picture_of(scene: &str) -> PathBuf {
-    let safe = |letter: char| match letter.is_alphanumeric() || "-_ ".contains(letter) {
-        true => letter,
-        false => '_',
+    let safe = |letter: char| {
+        if letter.is_alphanumeric() || "-_ ".contains(letter) { letter } else { '_' }
     };
     let name: String = scene.trim().chars().map(safe).take(50).collect();
     let name = if name.is_empty() { "scene" } else { &name };

@@ -116,12 +116,11 @@ pub fn draw(
 pub fn afford(size: Size, bytes_of_pixel: u64) -> Result<(), Failure> {
     let bytes = bytes_of_pixel * u64::from(size.width) * u64::from(size.height);
     let fits = |bytes| Vec::<u8>::new().try_reserve_exact(bytes).is_ok();
-    match usize::try_from(bytes).is_ok_and(fits) {
-        true => Ok(()),
-        false => {
-            let (Size { width, height }, gigabytes) = (size, bytes.div_ceil(1_000_000_000));
-            Err(format!("--size {width}x{height} needs {gigabytes} GB of memory").into())
-        }
+    if usize::try_from(bytes).is_ok_and(fits) {
+        Ok(())
+    } else {
+        let (Size { width, height }, gigabytes) = (size, bytes.div_ceil(1_000_000_000));
+        Err(format!("--size {width}x{height} needs {gigabytes} GB of memory").into())
     }
 }
 

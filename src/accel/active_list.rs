@@ -95,10 +95,7 @@ impl<'a, K: Bordered, V: Storage<ActiveShape<'a, K>>> ActiveList<'a, K, V> {
         Self {
             active: V::default(),
             // Hidden from the compiler, which otherwise clears the whole list together with this field.
-            next: match USED && size_of::<V>() > size_of::<usize>() {
-                true => black_box(0),
-                false => 0,
-            },
+            next: if USED && size_of::<V>() > size_of::<usize>() { black_box(0) } else { 0 },
             kind: PhantomData,
         }
     }

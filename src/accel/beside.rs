@@ -52,11 +52,7 @@ impl Beside {
         part: Part,
     ) -> ShapeSet {
         let [direct, mirrored] = &mut self.0;
-        let kept = if part.mirror == ShapeId::NONE {
-            direct
-        } else {
-            mirrored
-        };
+        let kept = if part.mirror == ShapeId::NONE { direct } else { mirrored };
         match kept {
             Some((known, set)) if *known == part => *set,
             _ => {

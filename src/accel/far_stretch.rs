@@ -73,12 +73,13 @@ impl<'a> Strip<'a> {
         let heights = ends.map(|end| end.dot(ahead));
         let start = self.way.dot(ahead).min(0);
         // A body behind the start is compared with the stretch itself, others as the light sees both.
-        let (own, ends) = match heights.iter().all(|height| *height < start) {
-            true => (self.own, ends),
-            false => (
+        let (own, ends) = if heights.iter().all(|height| *height < start) {
+            (self.own, ends)
+        } else {
+            (
                 self.seen,
                 [0, 1].map(|it| ends[it].without(ahead, heights[it])),
-            ),
+            )
         };
         if K::IS_BALL || K::IS_FLAT {
             return is_off(own, ends[0], reach);

@@ -167,10 +167,7 @@ pub(super) fn nearest<W: World>(world: &W, ray: &Ray, (mirror, skip): (ShapeId, 
         }
         nearer >= -SURE && nearest.shape != id
     });
-    match is_close {
-        true => of_all(world, ray, skip),
-        false => nearest,
-    }
+    if is_close { of_all(world, ray, skip) } else { nearest }
 }
 
 /// Returns the nearest bounded hit of a ray as the plain path does.

@@ -165,10 +165,12 @@ kinds!(light_occluders);
 /// Returns whether the surface is that of the bounded shape with this number.
 #[inline(always)]
 fn own(surface: &Surface<'_>, number: usize) -> Own {
-    match surface.shape == ShapeId::at(number) {
-        false => Own::No,
-        true if surface.is_inside => Own::Inside,
-        true => Own::Outside,
+    if surface.shape != ShapeId::at(number) {
+        Own::No
+    } else if surface.is_inside {
+        Own::Inside
+    } else {
+        Own::Outside
     }
 }
 
@@ -197,10 +199,7 @@ pub(crate) fn occluded<W: World, Q: Quality, const PRECISE: bool>(
 ) -> bool {
     let ray = LightRay {
         direction,
-        reach: match PRECISE {
-            true => distance.surely_less(),
-            false => distance,
-        },
+        reach: if PRECISE { distance.surely_less() } else { distance },
         epsilon: world.parts().epsilon,
         end: surface.place.point,
     };

@@ -47,9 +47,10 @@ pub(crate) fn lights_all<W: World, Q: Quality>(
         is_unsure: false,
     };
     let set = rays_set::<W, Q>(world, index, &found.sight.spread);
-    match any_hides(world, &set, light, &mut found) {
-        true => Some(false),
-        false => (!found.is_unsure).then_some(true),
+    if any_hides(world, &set, light, &mut found) {
+        Some(false)
+    } else {
+        (!found.is_unsure).then_some(true)
     }
 }
 

@@ -65,9 +65,10 @@ pub(crate) fn nearest_ahead<W: World, Q: Quality>(
     ray: &Ray,
     (mirror, skip): (ShapeId, ShapeId),
 ) -> Hit {
-    match hierarchy::is_used::<W, Q>(world) {
-        true => hierarchy::nearest(world, ray, (mirror, skip)),
-        false => nearest_of(world, (ray, NOWHERE), skip),
+    if hierarchy::is_used::<W, Q>(world) {
+        hierarchy::nearest(world, ray, (mirror, skip))
+    } else {
+        nearest_of(world, (ray, NOWHERE), skip)
     }
 }
 

@@ -171,9 +171,10 @@ macro_rules! motion {
                     $($field: impl Into<$type>),*
                 ) -> Result<(), Error> {
                     let index = $kind.index();
-                    match Self::moves(stringify!($kind), index) {
-                        true => self.0.$set($kind, $($field),*),
-                        false => Err(Error::at(stringify!($kind), index, ErrorKind::UnknownHandle)),
+                    if Self::moves(stringify!($kind), index) {
+                        self.0.$set($kind, $($field),*)
+                    } else {
+                        Err(Error::at(stringify!($kind), index, ErrorKind::UnknownHandle))
                     }
                 }
             )*

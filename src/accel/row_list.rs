@@ -25,9 +25,10 @@ pub(crate) fn row_list<W: SceneAccess, Q: Quality>(
     from: ScaledPoint,
     directions: &RowDirections,
 ) -> ShapeSet {
-    match Q::CULLING.lists && world.parts().bounded() > FEW && from.is_near() {
-        true => found(world, from.point, directions),
-        false => *ShapeSet::ALL,
+    if Q::CULLING.lists && world.parts().bounded() > FEW && from.is_near() {
+        found(world, from.point, directions)
+    } else {
+        *ShapeSet::ALL
     }
 }
 

@@ -116,10 +116,8 @@ impl Eye<'_> {
     fn look_at<K: Bounded>(&self, shapes: &[K], rects: &mut [ScreenRect]) {
         for (index, shape) in shapes.iter().enumerate() {
             let (center, half_axis, radius) = shape.outline();
-            let (center, radius) = match K::IS_BALL {
-                true => self.in_front((center, radius)),
-                false => (center, radius),
-            };
+            let (center, radius) =
+                if K::IS_BALL { self.in_front((center, radius)) } else { (center, radius) };
             let rect = match self.seen(center, half_axis) {
                 Some(way) => self.rect((index, K::IS_BALL), way, radius),
                 None => ScreenRect::new(index, Columns::ALL, Columns::ALL),
@@ -162,9 +160,12 @@ impl Eye<'_> {
         radius: i32,
     ) -> ScreenRect {
         let radius = widened(radius) + self.lift();
-        let sides = self.axes.each_ref().map(|axis| match is_ball {
-            true => axis.sphere_columns(way, radius),
-            false => axis.capsule_columns(way, half, radius),
+        let sides = self.axes.each_ref().map(|axis| {
+            if is_ball {
+                axis.sphere_columns(way, radius)
+            } else {
+                axis.capsule_columns(way, half, radius)
+            }
         });
         match sides {
             [Some(columns), Some(rows)] => ScreenRect::new(index, columns, rows),

@@ -174,10 +174,13 @@ impl<'a, W: World> ScreenCulling<'a, W> {
         match mirror {
             None if self.bounds.is_none() => Err(None),
             None => self.direct.keep::<W>(world, stretch),
-            Some((id, plane)) => match self.has_mirrored(world, (id, plane), window) {
-                true => self.mirrored.keep::<W>(world, stretch),
-                false => Err(None),
-            },
+            Some((id, plane)) => {
+                if self.has_mirrored(world, (id, plane), window) {
+                    self.mirrored.keep::<W>(world, stretch)
+                } else {
+                    Err(None)
+                }
+            }
         }
     }
 
@@ -192,10 +195,13 @@ impl<'a, W: World> ScreenCulling<'a, W> {
     ) -> Option<u32> {
         match mirror {
             None => self.direct.border(world, columns, shapes),
-            Some(mirror) => match self.has_mirrored(world, mirror, window) {
-                true => self.mirrored.border(world, columns, shapes),
-                false => None,
-            },
+            Some(mirror) => {
+                if self.has_mirrored(world, mirror, window) {
+                    self.mirrored.border(world, columns, shapes)
+                } else {
+                    None
+                }
+            }
         }
     }
 

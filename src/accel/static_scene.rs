@@ -130,10 +130,7 @@ impl<T: Apart, const N: usize> NodeList<T, N> {
 /// Returns the hierarchy of a constant scene. It has none if few rays would read it, or if it would have
 /// more nodes than 1024.
 const fn hierarchy<T: Apart>() -> Hierarchy<'static> {
-    let room = match is_useful(&T::PARTS) {
-        true => Hierarchy::room(T::PARTS.bounded()),
-        false => 0,
-    };
+    let room = if is_useful(&T::PARTS) { Hierarchy::room(T::PARTS.bounded()) } else { 0 };
     let nodes: &[HierarchyNode] = match room {
         16 => &NodeList::<T, 16>::OF_SCENE,
         32 => &NodeList::<T, 32>::OF_SCENE,

@@ -42,10 +42,7 @@ fn is_thin<K: Bounded>(shape: &K, row: &RowPlane, may_be_small: bool) -> bool {
     let pixel = 2 * shifted(depth, (-axis.scale).min(26));
     let is_below = |length: i32, pixels: i64| wide(length, axis.distance) < pixels * pixel;
     // Seen from its side, a flat shape is thin.
-    let share = match K::IS_FLAT {
-        true => shape.normal(center).dot(axis.ahead),
-        false => Unit::ONE,
-    };
+    let share = if K::IS_FLAT { shape.normal(center).dot(axis.ahead) } else { Unit::ONE };
     let thickness = 2 * scaled_by_unit(radius, share).abs();
     let reach = radius + half.dot(row.normal).abs();
     let gap = way.dot(row.normal).abs() - reach;

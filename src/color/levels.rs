@@ -83,9 +83,10 @@ impl Mixture {
     #[inline(always)]
     pub fn mean(self, total: u32) -> Levels {
         let shift = total.trailing_zeros();
-        let mean = match 1 << shift == total {
-            true => self.0.map(|part| part >> shift),
-            false => self.0.map(|part| share(part, total)),
+        let mean = if 1 << shift == total {
+            self.0.map(|part| part >> shift)
+        } else {
+            self.0.map(|part| share(part, total))
         };
         Levels(mean.map(|part| to_u16(unsigned(part))))
     }

@@ -46,9 +46,10 @@ fn parabola_goes_through_all_sums_of_a_parabola() {
             let curve = Parabola::through(three, half as u32, 2 * half as u32);
             curve.fill(filled.iter_mut().take(2 * half), |sum| sum);
             for (place, (found, truth)) in filled.iter().zip(&sums).enumerate() {
-                match place < 2 * half {
-                    true => assert!(found.less(*truth).is_within(16), "{place} of {half}"),
-                    false => assert_eq!(*found, Sum::ZERO),
+                if place < 2 * half {
+                    assert!(found.less(*truth).is_within(16), "{place} of {half}")
+                } else {
+                    assert_eq!(*found, Sum::ZERO)
                 }
             }
         }
@@ -72,11 +73,7 @@ fn rounding_of_a_parabola_stays_below_four_hundredths_of_a_level() {
                 let second = (end - middle) / (length - half) as f64 - slope;
                 let way = second * (place as f64 - half as f64) / length as f64 + slope;
                 let off = (f64::from(found.0[axis]) - (start + way * place as f64)).abs();
-                let most = if length.is_power_of_two() {
-                    400.0
-                } else {
-                    650.0
-                };
+                let most = if length.is_power_of_two() { 400.0 } else { 650.0 };
                 // The error of the second difference grows with the square of the length.
                 let most = if length > 32 { 4.0 * most } else { most };
                 assert!(off < most, "{off} at {place} of {length}: {three:?}");

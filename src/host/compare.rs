@@ -81,11 +81,7 @@ impl SizeMismatch {
     fn refuse(a: &Picture, b: &Picture) -> Result<(), Self> {
         let size = |it: &Picture| [it.width.into(), it.height.into(), it.pixels.len() as u64];
         let sizes = [size(a), size(b)];
-        if sizes[0] == sizes[1] {
-            Ok(())
-        } else {
-            Err(Self { sizes })
-        }
+        if sizes[0] == sizes[1] { Ok(()) } else { Err(Self { sizes }) }
     }
 }
 
@@ -93,12 +89,13 @@ impl Error for SizeMismatch {}
 
 impl Display for SizeMismatch {
     fn fmt(&self, formatter: &mut Formatter<'_>) -> fmt::Result {
-        let [a, b] = self
-            .sizes
-            .map(|[width, height, pixels]| match width * height == pixels {
-                true => format!("{width}x{height}"),
-                false => format!("{width}x{height} with {pixels} pixels"),
-            });
+        let [a, b] = self.sizes.map(|[width, height, pixels]| {
+            if width * height == pixels {
+                format!("{width}x{height}")
+            } else {
+                format!("{width}x{height} with {pixels} pixels")
+            }
+        });
         write!(
             formatter,
             "a picture of {a} and one of {b} cannot be compared"

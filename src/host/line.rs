@@ -22,9 +22,8 @@ pub fn one_line(text: &str) -> String {
 /// ```
 pub fn escaped(text: &str, escape: impl Fn(char) -> String) -> String {
     let breaks = |letter: char| letter.is_control() || matches!(letter, '\u{2028}' | '\u{2029}');
-    let written = |letter: char| match breaks(letter) {
-        true => escape(letter),
-        false => letter.to_string(),
+    let written = |letter: char| {
+        if breaks(letter) { escape(letter) } else { letter.to_string() }
     };
     text.chars().map(written).collect()
 }

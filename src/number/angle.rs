@@ -23,11 +23,7 @@ pub const fn cotangent_of_half(degrees: Number) -> Option<Quotient> {
     }
     let quotient = ((unsigned_wide(cosine) as u128) << 64) / unsigned_wide(sine) as u128;
     let bits = 128 - signed(quotient.leading_zeros());
-    let mantissa = if bits > 31 {
-        quotient >> (bits - 31)
-    } else {
-        quotient << (31 - bits)
-    };
+    let mantissa = if bits > 31 { quotient >> (bits - 31) } else { quotient << (31 - bits) };
     Some(Quotient {
         mantissa: narrowed_unsigned(narrowed_unsigned_128(mantissa)),
         exponent: bits - 31 - 64,

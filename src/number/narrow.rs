@@ -56,11 +56,7 @@ conversions! {
 #[inline(always)]
 pub const fn fitting(value: i128) -> Option<i32> {
     let low = value as i32;
-    if low as i128 == value {
-        Some(low)
-    } else {
-        None
-    }
+    if low as i128 == value { Some(low) } else { None }
 }
 
 /// Returns the low 32 bits of any `u64`.

@@ -18,10 +18,7 @@ static TABLE: [u16; 258] = {
     /// Returns a start value with 12 fraction bits for x = `index` / 64.
     const fn curve(index: usize, is_root: bool) -> i64 {
         let index = index as u64;
-        signed_wide(match is_root {
-            true => ((1 << 62) / index).isqrt(),
-            false => (1 << 34) / index,
-        })
+        signed_wide(if is_root { ((1 << 62) / index).isqrt() } else { (1 << 34) / index })
     }
     let mut entries = [0; 258];
     let mut place = 0;

@@ -8,9 +8,10 @@ use super::{to_u8, to_u32};
 /// Returns the number of leading zeros of a number; 32 for 0.
 #[inline(always)]
 pub const fn leading_zeros(number: u32) -> u32 {
-    match cfg!(all(target_arch = "arm", not(target_has_atomic = "32"))) {
-        true => looked_up(number),
-        false => number.leading_zeros(),
+    if cfg!(all(target_arch = "arm", not(target_has_atomic = "32"))) {
+        looked_up(number)
+    } else {
+        number.leading_zeros()
     }
 }
 

@@ -128,12 +128,10 @@ impl RowPlane {
         }
         let beside = aside.abs() - off;
         if ahead <= 8 * off {
-            let is_beside = beside > 0 && self.axis.is_beside(beside, ahead + off);
-            return match is_beside {
-                true if aside < 0 => Seen::Left,
-                true => Seen::Right,
-                false => Seen::Unknown,
-            };
+            if beside <= 0 || !self.axis.is_beside(beside, ahead + off) {
+                return Seen::Unknown;
+            }
+            return if aside < 0 { Seen::Left } else { Seen::Right };
         }
         let tangent = 2 + (aside.abs() >> (63 - signed(ahead.unsigned_abs().leading_zeros())));
         let off = (off + (off >> 2)) * tangent;
@@ -166,9 +164,10 @@ impl RowPlane {
         let circle = root_of_square(unsigned_wide(square));
         if ahead - circle < (ahead >> 10) + 64 * SLACK {
             // The circle holds the eye or reaches beside it.
-            return match ahead + circle < -SLACK {
-                true => None,
-                false => Some(Span::unsure([0, u16::MAX], [])),
+            return if ahead + circle < -SLACK {
+                None
+            } else {
+                Some(Span::unsure([0, u16::MAX], []))
             };
         }
         let rest = wide(ahead, ahead) - square;
@@ -208,9 +207,10 @@ impl RowPlane {
         let radius = radius + SLACK - 4 + (4 << bits);
         let reach = scaled_by_unit(radius, Unit::from_bits(sine));
         // Distance of the chord from the centre, and half of its length, as shares of the radius.
-        let share = match apart.abs() < reach {
-            true => Unit::from_bits(ratio(apart.unsigned_abs(), unsigned(reach))),
-            false => Unit::ONE,
+        let share = if apart.abs() < reach {
+            Unit::from_bits(ratio(apart.unsigned_abs(), unsigned(reach)))
+        } else {
+            Unit::ONE
         };
         let half = root_of_unit(Unit::ONE - unit_product(share, share));
         let (along, _) = across.normalised();

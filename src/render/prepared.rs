@@ -106,9 +106,10 @@ impl<S: Drawable, Q: Quality, K: Shading> PreparedFrame<S, Q, K> {
             1 => camera.generator(width, height),
             _ => camera.corners(width, height),
         };
-        frame.lights = match Q::CULLING.views {
-            true => LightVisibility::new(world, from),
-            false => LightVisibility::unclear(from),
+        frame.lights = if Q::CULLING.views {
+            LightVisibility::new(world, from)
+        } else {
+            LightVisibility::unclear(from)
         };
         if Q::CULLING.views && from.is_near() {
             let bounds = frame.bounds.insert(ScreenBounds::empty());
@@ -125,9 +126,10 @@ impl<S: Drawable, Q: Quality, K: Shading> PreparedFrame<S, Q, K> {
     /// prepared, or is another scene.
     #[inline(always)]
     pub fn on<'a>(&'a self, scene: &'a S) -> Result<Rows<'a, S, Q, K>, Error> {
-        match S::CHANGES && scene.stamp() != self.stamp {
-            true => Err(Error::of("scene", ErrorKind::Changed)),
-            false => Ok(self.unchanged(scene)),
+        if S::CHANGES && scene.stamp() != self.stamp {
+            Err(Error::of("scene", ErrorKind::Changed))
+        } else {
+            Ok(self.unchanged(scene))
         }
     }
 
@@ -282,9 +284,10 @@ impl<'a, S: Drawable, Q: Quality, K: Shading> Rows<'a, S, Q, K> {
     ) -> Tracer<'_, S::World<'a>, K, Q> {
         let (bounds, from) = (self.frame.bounds.as_ref(), self.frame.lights.from);
         let from = (from, generator.row_plane(y, from.point));
-        let culling = match Tracer::<S::World<'a>, K, Q>::IS_PLAIN {
-            true => ScreenCulling::new::<false>(bounds, from, y, true),
-            false => ScreenCulling::new::<true>(bounds, from, y, !Q::CULLING.views),
+        let culling = if Tracer::<S::World<'a>, K, Q>::IS_PLAIN {
+            ScreenCulling::new::<false>(bounds, from, y, true)
+        } else {
+            ScreenCulling::new::<true>(bounds, from, y, !Q::CULLING.views)
         };
         Tracer::new(
             &self.world,

@@ -119,9 +119,10 @@ impl<W: World, K: sealed::Shading, Q: Quality> SmoothColors<'_, '_, W, K, Q> {
                     *color = color.half_way(part);
                 }
             }
-            match upper.is_flat_with(lower) {
-                true => upper.descend(walker.step()),
-                false => upper.copy(lower),
+            if upper.is_flat_with(lower) {
+                upper.descend(walker.step())
+            } else {
+                upper.copy(lower)
             }
         }
         self.until = first + count;

@@ -89,11 +89,7 @@ const fn distance(from: Position, to: Position) -> u128 {
         None => 0,
         Some((vector, shift)) => {
             let length = unsigned(vector.direction_and_length().1.to_bits() + 2) as u128;
-            if shift >= 0 {
-                length << shift
-            } else {
-                (length >> -shift) + 1
-            }
+            if shift >= 0 { length << shift } else { (length >> -shift) + 1 }
         }
     }
 }
@@ -257,11 +253,7 @@ const fn middle_of(scene: &Description<'_>) -> Position {
 /// `furthest` is 0 if the scene has neither shapes nor a plane beside its middle. Then nothing is too
 /// far.
 const fn accompanied(radius: u128, furthest: u128, away: u128) -> u128 {
-    if furthest == 0 || away <= furthest {
-        larger(radius, away)
-    } else {
-        radius
-    }
+    if furthest == 0 || away <= furthest { larger(radius, away) } else { radius }
 }
 
 /// Returns the larger of two numbers.
@@ -284,11 +276,7 @@ const fn distance_to_plane(position: Position, plane: &Plane) -> u128 {
         None => 0,
         Some((vector, shift)) => {
             let length = vector.dot(normal).unsigned_abs() as u128;
-            if shift >= 0 {
-                length << shift
-            } else {
-                length >> -shift
-            }
+            if shift >= 0 { length << shift } else { length >> -shift }
         }
     }
 }

@@ -92,9 +92,10 @@ macro_rules! needs {
                     $($first: self.$first && other.$first,)*
                     shininess: self.shininess.less(other.shininess),
                     mirrors: self.mirrors.common(other.mirrors),
-                    reflections: match self.reflections < other.reflections {
-                        true => self.reflections,
-                        false => other.reflections,
+                    reflections: if self.reflections < other.reflections {
+                        self.reflections
+                    } else {
+                        other.reflections
                     },
                     mirrored: self.mirrored
                         && other.mirrored
@@ -199,10 +200,7 @@ impl Needs {
             // it.
             shadows: is_lit && (bounded > 0 || planes > 1),
             highlights: is_lit,
-            shininess: match is_lit {
-                true => Shininess::Real,
-                false => Shininess::None,
-            },
+            shininess: if is_lit { Shininess::Real } else { Shininess::None },
             mirrors: match bounded + planes {
                 0 => Mirrors::None,
                 _ => Mirrors::Some,

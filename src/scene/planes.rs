@@ -48,11 +48,7 @@ fn nearer<W: SceneAccess>(world: &W, ray: &Ray, skip: ShapeId, bounded: Hit) -> 
         nearest.meet(&plane.bearing(ray), number(index), skip);
     }
     Hit {
-        distance: if nearest.is_met {
-            nearest.approach.distance()
-        } else {
-            bounded.distance
-        },
+        distance: if nearest.is_met { nearest.approach.distance() } else { bounded.distance },
         shape: nearest.shape,
     }
 }

@@ -54,11 +54,7 @@ const SMALLEST_EPSILON: i32 = 2;
 const BRIGHTEST: i64 = 30 << 26;
 
 const fn at_least(length: Length, steps: i32) -> Length {
-    if length.to_bits() < steps {
-        Length::from_bits(steps)
-    } else {
-        length
-    }
+    if length.to_bits() < steps { Length::from_bits(steps) } else { length }
 }
 
 /// The operator `?`, which constant functions do not have.

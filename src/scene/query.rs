@@ -36,20 +36,19 @@ pub(crate) fn nearest_hit_by<W: SceneAccess>(
     // Nothing compares the distance of an only plane.
     let asks_distance = asks_place || world.parts().planes.len() > 1;
     for (id, plane) in planes::others(world, skip) {
-        let own = match asks_distance {
-            true => plane.intersect_far(ray),
-            false if plane.approach_far(ray).is_some() => 0,
-            false => NOT_MET,
+        let own = if asks_distance {
+            plane.intersect_far(ray)
+        } else if plane.approach_far(ray).is_some() {
+            0
+        } else {
+            NOT_MET
         };
         if own < distance {
             (distance, shape) = (own, id);
         }
     }
     if world.parts().has_bounded() {
-        let start = match ray.from().is_near() {
-            true => Some((ray.ray, 0)),
-            false => into_ball(ray),
-        };
+        let start = if ray.from().is_near() { Some((ray.ray, 0)) } else { into_ball(ray) };
         if let Some((ray, skipped)) = start {
             let hit = nearest(&ray);
             let own = skipped + u64::from(unsigned(hit.distance.to_bits()));
@@ -62,10 +61,7 @@ pub(crate) fn nearest_hit_by<W: SceneAccess>(
     if distance == NOT_MET {
         return None;
     }
-    let at = match asks_place {
-        true => place_along(ray, distance)?,
-        false => ray.from(),
-    };
+    let at = if asks_place { place_along(ray, distance)? } else { ray.from() };
     Some((at, shape))
 }
 
@@ -85,9 +81,10 @@ pub(crate) fn located<W: SceneAccess, const PRECISE: bool>(
     }
     if hit.shape != ShapeId::BEYOND {
         let (origin, direction) = (ray.ray.origin, ray.direction());
-        let at = match PRECISE {
-            true => origin.precisely_along(direction, hit.distance),
-            false => origin.along(direction, hit.distance),
+        let at = if PRECISE {
+            origin.precisely_along(direction, hit.distance)
+        } else {
+            origin.along(direction, hit.distance)
         };
         if let Some(at) = ScaledPoint::near(at) {
             return Some((at, hit.shape));

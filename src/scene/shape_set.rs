@@ -72,10 +72,7 @@ impl ShapeSet {
     #[inline(always)]
     fn bits(&self, layout: &SetLayout, kind: usize) -> u64 {
         let (start, end) = (layout.starts[kind], layout.starts[kind + 1]);
-        let all = match layout.starts[KINDS] <= 32 {
-            true => low_word(self.0).into(),
-            false => self.0,
-        };
+        let all = if layout.starts[KINDS] <= 32 { low_word(self.0).into() } else { self.0 };
         let after = 1_u64.checked_shl(to_u32(end - start));
         all.checked_shr(to_u32(start)).unwrap_or(0) & after.map_or(u64::MAX, |after| after - 1)
     }
@@ -143,10 +140,7 @@ impl SetLayout {
             kind += 1;
         }
         // The last run of each kind may have fewer shapes.
-        let run = match total <= SETS {
-            true => 1,
-            false => total.div_ceil(65 - KINDS),
-        };
+        let run = if total <= SETS { 1 } else { total.div_ceil(65 - KINDS) };
         let mut starts = [0; KINDS + 1];
         kind = 0;
         while kind < KINDS {

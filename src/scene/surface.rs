@@ -65,10 +65,7 @@ impl<'a> Surface<'a> {
             material: parts.material(number),
             number,
         };
-        Some(match W::NEEDS.triangles {
-            true => surface.bent(&parts, at.point),
-            false => surface,
-        })
+        Some(if W::NEEDS.triangles { surface.bent(&parts, at.point) } else { surface })
     }
 
     /// Returns a plane, seen at right angles from one side: from behind if `is_inside`. Rays leave at `place`.
@@ -143,10 +140,7 @@ impl<'a> Surface<'a> {
         let is_met_again = self.is_inside && world.parts().bending_radius(self.shape).is_some()
             // A light may shine from behind on a surface with other normals than its own.
             || W::NEEDS.triangles && world.parts().is_smooth(self.shape);
-        match is_met_again {
-            true => ShapeId::NONE,
-            false => self.shape,
-        }
+        if is_met_again { ShapeId::NONE } else { self.shape }
     }
 
     /// Replaces a ray that hit the surface by the mirrored ray.

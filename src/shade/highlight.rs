@@ -141,9 +141,10 @@ impl<H: Highlight> sealed::Shading for H {
         visibility: &V,
         light: (&V::Light, usize),
     ) -> bool {
-        let strength = match Q::IS_PRECISE {
-            true => strength_of::<W, V, Self, true>(world, surface, visibility, light),
-            false => strength_of::<W, V, Self, false>(world, surface, visibility, light),
+        let strength = if Q::IS_PRECISE {
+            strength_of::<W, V, Self, true>(world, surface, visibility, light)
+        } else {
+            strength_of::<W, V, Self, false>(world, surface, visibility, light)
         };
         strength > Brightness::ZERO
     }
@@ -154,9 +155,10 @@ impl<H: Highlight> sealed::Shading for H {
             return Samples::All;
         };
         let (ends, bend) = (ends.each_ref().map(H::deviation), bend << (2 * Self::TURNS));
-        match begins_sharply::<H>(shininess) && may_begin(ends, bend) {
-            true => Samples::All,
-            false => samples(ends, bend, shininess),
+        if begins_sharply::<H>(shininess) && may_begin(ends, bend) {
+            Samples::All
+        } else {
+            samples(ends, bend, shininess)
         }
     }
 

@@ -40,9 +40,10 @@ fn lit_color<W: SceneAccess, Q: Quality, V: Visibility, H: Highlight>(
     surface: &Surface<'_>,
     visibility: &V,
 ) -> Lit {
-    match Q::IS_PRECISE {
-        true => lit_color_by::<W, V, H, true>(world, surface, visibility),
-        false => lit_color_by::<W, V, H, false>(world, surface, visibility),
+    if Q::IS_PRECISE {
+        lit_color_by::<W, V, H, true>(world, surface, visibility)
+    } else {
+        lit_color_by::<W, V, H, false>(world, surface, visibility)
     }
 }
 
@@ -64,10 +65,10 @@ fn lit_color_by<W: SceneAccess, V: Visibility, H: Highlight, const PRECISE: bool
     for (index, light) in visibility.lights().iter().enumerate().skip(4) {
         received.ask::<W, V, H>(world, surface, visibility, (light, index));
     }
-    let shown = |color| match W::NEEDS.colors {
-        true => received.light.filtered(color),
-        // Then the compiler computes one of the three channels.
-        false => Color::grey(received.light.filtered(color).components()[0]),
+    let shown = |color| {
+        let filtered = received.light.filtered(color);
+        // Without colours, the compiler computes one of the three channels.
+        if W::NEEDS.colors { filtered } else { Color::grey(filtered.components()[0]) }
     };
     let (color, cell) = match surface.cell(world) {
         Some((true, color)) => (color, Some((true, material.color))),
@@ -226,10 +227,7 @@ fn weakened<W: SceneAccess>(
     sent: Brightness,
     (distance, scale): (Length, u32),
 ) -> Brightness {
-    match W::NEEDS.ranges {
-        true => light.weakened(sent, distance, scale),
-        false => sent,
-    }
+    if W::NEEDS.ranges { light.weakened(sent, distance, scale) } else { sent }
 }
 
 /// Returns diffuse n·l + specular sˢʰⁱⁿⁱⁿᵉˢˢ for light that arrives above the surface along a

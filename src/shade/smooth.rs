@@ -109,10 +109,7 @@ pub(super) fn samples([one, other]: [Vector; 2], bend: i32, shininess: Exponent)
     if nearest > 0 && (unsigned_wide(wide(nearest, nearest)) >> 26) * shininess >= DARK {
         return Samples::Three;
     }
-    match square <= BENT {
-        true => Samples::Five,
-        false => Samples::All,
-    }
+    if square <= BENT { Samples::Five } else { Samples::All }
 }
 
 /// Tests whether a highlight has a step or a kink where it begins. A power below 2 of the cosine to the mirrored light

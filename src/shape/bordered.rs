@@ -93,9 +93,10 @@ impl Fan {
         let [first, last] = rays.ends;
         let is_near = rays.reaches.iter().all(|&reach| reach < REACH);
         // The direction across the fan: from end to end, or, if they are far, between the directions.
-        let along = match is_near {
-            true => places[0].point.to(places[1].point),
-            false => last.raw().minus(first.raw()),
+        let along = if is_near {
+            places[0].point.to(places[1].point)
+        } else {
+            last.raw().minus(first.raw())
         };
         let (along, length) = along.normalised();
         let across = first.crossed_with(along.raw());

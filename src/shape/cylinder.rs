@@ -63,10 +63,7 @@ impl Cylinder {
         Extent {
             center: self.center,
             radius: Number::from_bits(radius + half_height),
-            smallest: match radius < half_height {
-                true => self.radius,
-                false => self.half_height(),
-            },
+            smallest: if radius < half_height { self.radius } else { self.half_height() },
         }
     }
 
@@ -214,12 +211,11 @@ impl Bounded for PreparedCylinder {
 
     #[inline(always)]
     fn intersect(&self, ray: &Ray, range: Range) -> Option<Length> {
-        match self.is_passed_by(ray) {
-            true => None,
-            false => {
-                let from = self.seen_from(ray.origin);
-                self.intersect_from(&from, &ray.direction, range)
-            }
+        if self.is_passed_by(ray) {
+            None
+        } else {
+            let from = self.seen_from(ray.origin);
+            self.intersect_from(&from, &ray.direction, range)
         }
     }
 

@@ -193,9 +193,10 @@ impl Bounded for PreparedDisc {
     #[inline(always)]
     fn intersect(&self, ray: &Ray, range: Range) -> Option<Length> {
         let from = self.seen_from(ray.origin);
-        match from.way.passes_by(from.way.dot(ray.direction), self.radius) {
-            true => None,
-            false => self.met(&from, &ray.direction, range),
+        if from.way.passes_by(from.way.dot(ray.direction), self.radius) {
+            None
+        } else {
+            self.met(&from, &ray.direction, range)
         }
     }
 

@@ -109,11 +109,7 @@ impl Normaliser {
         let inverse = estimate + (((residue >> 8) * estimate + (1 << 51)) >> 52);
         Self {
             lift,
-            inverse: if inverse > i32::MAX as i64 {
-                i32::MAX
-            } else {
-                narrowed(inverse)
-            },
+            inverse: if inverse > i32::MAX as i64 { i32::MAX } else { narrowed(inverse) },
         }
     }
 

@@ -114,13 +114,14 @@ impl Upright {
         };
         // A coordinate is a whole number of steps, so the sum is rounded down as the product is.
         let level = -offset >> 30;
-        match (along == ONE || along == -ONE) && level >= -MOST && level <= MOST {
-            true => Self::Yes {
+        if (along == ONE || along == -ONE) && level >= -MOST && level <= MOST {
+            Self::Yes {
                 axis,
                 is_reversed: along < 0,
                 level: narrowed(level),
-            },
-            false => Self::No,
+            }
+        } else {
+            Self::No
         }
     }
 }
@@ -218,10 +219,8 @@ impl PreparedPlane {
             Axis::Y => (origin.y, direction.y.to_bits()),
             Axis::Z => (origin.z, direction.z.to_bits()),
         };
-        let (coordinate, cosine) = match is_reversed {
-            true => (-coordinate, -cosine),
-            false => (coordinate, cosine),
-        };
+        let (coordinate, cosine) =
+            if is_reversed { (-coordinate, -cosine) } else { (coordinate, cosine) };
         let steps = coordinate + level;
         Bearing {
             steps,

@@ -49,9 +49,10 @@ impl Rays {
         let [one, other] = self.reaches;
         let nearest = unsigned(one.min(other).to_bits().max(1));
         let thickness = bulge + SLACK;
-        let aside = match unsigned(thickness) < nearest && self.turn < Unit::ONE {
-            true => ratio(unsigned(thickness), nearest),
-            false => Unit::ONE.to_bits(),
+        let aside = if unsigned(thickness) < nearest && self.turn < Unit::ONE {
+            ratio(unsigned(thickness), nearest)
+        } else {
+            Unit::ONE.to_bits()
         };
         Spread {
             ends: self.ends,

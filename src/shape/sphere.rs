@@ -179,11 +179,7 @@ impl PreparedSphere {
         let square = signed_wide(way.square()) - self.square;
         SphereFromPoint {
             way,
-            tangent: if square <= 0 {
-                i32::MIN
-            } else {
-                square_root(unsigned_wide(square))
-            },
+            tangent: if square <= 0 { i32::MIN } else { square_root(unsigned_wide(square)) },
         }
     }
 }
@@ -221,9 +217,10 @@ impl Bounded for PreparedSphere {
     #[inline(always)]
     fn intersect(&self, ray: &Ray, range: Range) -> Option<Length> {
         let way = ray.origin.to(self.center);
-        match way.passes_by(way.dot(ray.direction), self.radius) {
-            true => None,
-            false => self.met(way, ray.direction, range),
+        if way.passes_by(way.dot(ray.direction), self.radius) {
+            None
+        } else {
+            self.met(way, ray.direction, range)
         }
     }
 
@@ -234,9 +231,10 @@ impl Bounded for PreparedSphere {
         direction: &Direction,
         range: Range,
     ) -> Option<Length> {
-        match from.may_be_met(*direction) {
-            true => self.met(from.way, *direction, range),
-            false => None,
+        if from.may_be_met(*direction) {
+            self.met(from.way, *direction, range)
+        } else {
+            None
         }
     }
 

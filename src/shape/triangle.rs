@@ -74,11 +74,7 @@ impl Face {
 const fn lift(vector: Vector) -> u32 {
     let bits = vector.x.unsigned_abs() | vector.y.unsigned_abs() | vector.z.unsigned_abs();
     let zeros = bits.leading_zeros();
-    if zeros < 3 || zeros > 31 {
-        0
-    } else {
-        zeros - 3
-    }
+    if zeros < 3 || zeros > 31 { 0 } else { zeros - 3 }
 }
 
 impl PreparedTriangle {
@@ -184,9 +180,10 @@ impl Bounded for PreparedTriangle {
     #[inline(always)]
     fn intersect(&self, ray: &Ray, range: Range) -> Option<Length> {
         let way = ray.origin.to(self.center);
-        match way.passes_by(way.dot(ray.direction), self.radius) {
-            true => None,
-            false => self.met(&self.seen_from(ray.origin), &ray.direction, range),
+        if way.passes_by(way.dot(ray.direction), self.radius) {
+            None
+        } else {
+            self.met(&self.seen_from(ray.origin), &ray.direction, range)
         }
     }
 

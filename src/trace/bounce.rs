@@ -53,9 +53,10 @@ impl<'a, W: World, K: Shading, Q: Quality> Tracer<'a, W, K, Q> {
             self.plain_hit(ray, bounce)
         } else {
             let hit = self.near_hit(pixel, ray, bounce);
-            match Q::IS_PRECISE {
-                true => located::<W, true>(world, ray, skip, hit),
-                false => located::<W, false>(world, ray, skip, hit),
+            if Q::IS_PRECISE {
+                located::<W, true>(world, ray, skip, hit)
+            } else {
+                located::<W, false>(world, ray, skip, hit)
             }
         }?;
         Surface::new(world, at, shape, ray.direction())
@@ -67,13 +68,13 @@ impl<'a, W: World, K: Shading, Q: Quality> Tracer<'a, W, K, Q> {
     fn plain_hit(&self, ray: &ScaledRay, bounce: &Bounce) -> Option<(ScaledPoint, ShapeId)> {
         let (world, skip) = (self.world, bounce.skip);
         let is_listed = Q::CULLING.lists && world.parts().bounded() > FEW;
-        let candidates = match is_listed && bounce.count == 0 {
-            true => self.list,
-            false => *ShapeSet::ALL,
-        };
-        let nearest = |ray: &Ray| match is_listed {
-            true => nearest_listed(world, &candidates, ray, skip),
-            false => nearest_of(world, (ray, NOWHERE), skip),
+        let candidates = if is_listed && bounce.count == 0 { self.list } else { *ShapeSet::ALL };
+        let nearest = |ray: &Ray| {
+            if is_listed {
+                nearest_listed(world, &candidates, ray, skip)
+            } else {
+                nearest_of(world, (ray, NOWHERE), skip)
+            }
         };
         // Every pixel is traced, so nothing but the surface itself asks where it is.
         nearest_hit_by(world, ray, skip, (W::NEEDS.places(), nearest))

@@ -70,9 +70,10 @@ impl<W: World, K: Shading, Q: Quality> Tracer<'_, W, K, Q> {
         {
             return Samples::All;
         }
-        let samples = match rays.turn.max(shown.turn) > LARGEST_TURN {
-            true => Samples::Five,
-            false => Samples::Three,
+        let samples = if rays.turn.max(shown.turn) > LARGEST_TURN {
+            Samples::Five
+        } else {
+            Samples::Three
         };
         match is_facing.then(|| self.shines((light, index), (shown, &rays), suspects)) {
             Some(None) => Samples::All,

@@ -135,9 +135,10 @@ impl<'a, W: World, K: Shading, Q: Quality> Tracer<'a, W, K, Q> {
     /// Advances to the columns from `first` to `last`, and returns them. `first` never decreases.
     #[inline(always)]
     pub(crate) fn advance(&mut self, first: u32, last: u32) -> Window {
-        match Self::IS_PLAIN {
-            true => Window::default(),
-            false => self.culling.advance(self.world, first, last),
+        if Self::IS_PLAIN {
+            Window::default()
+        } else {
+            self.culling.advance(self.world, first, last)
         }
     }
 
@@ -250,9 +251,10 @@ impl<'a, W: World, K: Shading, Q: Quality> Tracer<'a, W, K, Q> {
     /// mirrors.
     #[inline(always)]
     fn reflected(world: &W, surface: &Surface<'_>, throughput: Unit) -> Unit {
-        match K::REFLECTS && W::NEEDS.mirrors != Mirrors::None {
-            true => share(throughput, surface.material(world).mirror),
-            false => Unit::ZERO,
+        if K::REFLECTS && W::NEEDS.mirrors != Mirrors::None {
+            share(throughput, surface.material(world).mirror)
+        } else {
+            Unit::ZERO
         }
     }
 
@@ -274,11 +276,10 @@ impl<'a, W: World, K: Shading, Q: Quality> Tracer<'a, W, K, Q> {
     #[inline(always)]
     fn shade(&self, surface: &Surface<'_>) -> Lit {
         let world = self.world;
-        match Self::IS_PLAIN {
-            true => K::color::<W, Q, _>(world, surface, &Plain::<W, Q>::new(world)),
-            false => {
-                K::color::<W, Q, _>(world, surface, &Culled::<W, Q>::new(world, self.visibility))
-            }
+        if Self::IS_PLAIN {
+            K::color::<W, Q, _>(world, surface, &Plain::<W, Q>::new(world))
+        } else {
+            K::color::<W, Q, _>(world, surface, &Culled::<W, Q>::new(world, self.visibility))
         }
     }
 }

@@ -50,10 +50,7 @@ impl<'a> PlaneLine<'a> {
         let [mut before, mut after] = self.columns;
         while after - before > 1 {
             let column = before.midpoint(after);
-            match is_like(self.at(column)) {
-                true => before = column,
-                false => after = column,
-            }
+            if is_like(self.at(column)) { before = column } else { after = column }
         }
         before
     }

@@ -140,10 +140,7 @@ impl Shown<'_> {
         let Some(view) = view.filter(|view| *view < Unit::ONE.to_bits()) else {
             return Samples::All;
         };
-        let least = match view > LARGEST_TURN.to_bits() {
-            true => Samples::Five,
-            false => Samples::Three,
-        };
+        let least = if view > LARGEST_TURN.to_bits() { Samples::Five } else { Samples::Three };
         let turns = Turns {
             normal: self.turn.to_bits(),
             light: rays.turn.to_bits(),

@@ -143,9 +143,10 @@ impl<'a, W: World, K: Shading, Q: Quality> Tracer<'a, W, K, Q> {
         }
         let keeps = steps > 0
             || !self.world.parts().has_bounded()
-            || match origin.level > 1 {
-                true => shown.ball.is_some() && is_clear_way(self.world, origin.eye, &shown.lit),
-                false => self.keeps_front(between, origin, (stops, &shown), proved),
+            || if origin.level > 1 {
+                shown.ball.is_some() && is_clear_way(self.world, origin.eye, &shown.lit)
+            } else {
+                self.keeps_front(between, origin, (stops, &shown), proved)
             };
         sure(keeps, 0)?;
         self.keeps_lights(&shown, proved).map(|()| is_one_cell)
@@ -240,8 +241,5 @@ impl<'a, W: World, K: Shading, Q: Quality> Tracer<'a, W, K, Q> {
 
 /// Returns an error with the number of steps before if a step is not proved.
 pub(super) fn sure(is_proved: bool, steps: usize) -> Result<(), usize> {
-    match is_proved {
-        true => Ok(()),
-        false => Err(steps),
-    }
+    if is_proved { Ok(()) } else { Err(steps) }
 }

@@ -38,9 +38,10 @@ impl<'a, W: World, Q: Quality> Plain<'a, W, Q> {
     /// Returns the bounded shapes that a shadow ray in this direction can hit. `index` is the light's index.
     #[inline(always)]
     fn candidates(&self, index: usize, direction: Direction) -> ShapeSet {
-        let lists = match W::NEEDS.sets && Q::CULLING.lists {
-            true => self.world.tables().light_lists.get(index),
-            false => None,
+        let lists = if W::NEEDS.sets && Q::CULLING.lists {
+            self.world.tables().light_lists.get(index)
+        } else {
+            None
         };
         lists.map_or(*ShapeSet::ALL, |lists| lists.at(direction.reversed()))
     }
@@ -154,9 +155,10 @@ impl<W: World, Q: Quality> Visibility for Culled<'_, W, Q> {
             origin: surface.place.point,
             direction,
         };
-        match hierarchy::is_used::<W, Q>(world) {
-            true => hierarchy::is_blocked(world, &ray, skip, REACH),
-            false => any_ahead(world, &ray, skip),
+        if hierarchy::is_used::<W, Q>(world) {
+            hierarchy::is_blocked(world, &ray, skip, REACH)
+        } else {
+            any_ahead(world, &ray, skip)
         }
     }
 

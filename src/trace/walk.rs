@@ -109,9 +109,10 @@ impl<'a, W: World, K: Shading, Q: Quality> Tracer<'a, W, K, Q> {
     /// Returns why a path ends that has this throughput and follows no further ray.
     fn end(world: &W, throughput: Unit) -> End {
         let least = world.parts().smallest_weight(Q::SMALLEST_WEIGHT);
-        match throughput == Unit::ZERO || throughput < least {
-            true => End::NoWeight,
-            false => End::LastReflection,
+        if throughput == Unit::ZERO || throughput < least {
+            End::NoWeight
+        } else {
+            End::LastReflection
         }
     }
 }

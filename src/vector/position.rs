@@ -57,11 +57,7 @@ impl Position {
         let moved = |start: Number, unit: Unit| {
             // Q30 times the length: 60 bits and a shift of -29 to 66.
             let way = length * i128::from(unit.to_bits());
-            let way = if shift >= 30 {
-                way << (shift - 30)
-            } else {
-                way >> (30 - shift)
-            };
+            let way = if shift >= 30 { way << (shift - 30) } else { way >> (30 - shift) };
             Number::from_bits(start.to_bits() + way)
         };
         Self([

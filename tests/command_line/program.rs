@@ -141,10 +141,8 @@ fn binary(example: &'static str) -> PathBuf {
     let built = binaries.entry(example).or_insert_with(|| {
         let target = Path::new(env!("CARGO_TARGET_TMPDIR")).parent();
         let target = target.expect("target/tmp");
-        let (profile, folder) = match cfg!(debug_assertions) {
-            true => ("test", "debug"),
-            false => ("release", "release"),
-        };
+        let (profile, folder) =
+            if cfg!(debug_assertions) { ("test", "debug") } else { ("release", "release") };
         let program = format!("{example}{}", env::consts::EXE_SUFFIX);
         let program = target.join(folder).join("examples").join(program);
         if env::var_os(ARE_BUILT).is_some() {

@@ -115,10 +115,7 @@ fn files_below(folder: &Path) -> Vec<PathBuf> {
     let entries = fs::read_dir(folder).unwrap();
     let paths = entries.map(|entry| entry.unwrap().path());
     let mut files: Vec<_> = paths
-        .flat_map(|path| match path.is_dir() {
-            true => files_below(&path),
-            false => vec![path],
-        })
+        .flat_map(|it| if it.is_dir() { files_below(&it) } else { vec![it] })
         .collect();
     files.retain(|file| file.extension().is_some_and(|it| it == "rs"));
     files.sort();

@@ -177,9 +177,10 @@ fn skipped(rest: &str) -> usize {
             &text[..text.find(|c| c != '#').unwrap_or(text.len())]
         });
         let opening = 1 + hashes.len();
-        match rest.starts_with('r') && rest[opening..].starts_with('"') {
-            true => until(&format!("\"{hashes}"), opening + 1),
-            false => 0,
+        if rest.starts_with('r') && rest[opening..].starts_with('"') {
+            until(&format!("\"{hashes}"), opening + 1)
+        } else {
+            0
         }
     }
 }

@@ -218,9 +218,12 @@ fn picture_without_shadows_is_one_of_each_shape_in_its_own_light() {
                 let (found, expected) = (lit.pixels[at], alone[shape][at]);
                 // An open tube casts a shadow on its own inside, even alone.
                 let is_tube = shape < shapes && shape >= shapes - scene.cylinders.len();
-                (0..3).any(|i| match is_tube {
-                    true => found[i].saturating_add(1) < expected[i],
-                    false => found[i].abs_diff(expected[i]) > 1,
+                (0..3).any(|i| {
+                    if is_tube {
+                        found[i].saturating_add(1) < expected[i]
+                    } else {
+                        found[i].abs_diff(expected[i]) > 1
+                    }
                 })
             };
             // At most one pixel in 200 differs, at rims.

@@ -150,9 +150,8 @@ const FIGURES: [Figure; 4] = [
     ),
     (
         |it| -it.psnr,
-        |it| match it.psnr.is_infinite() {
-            true => "∞".to_owned(),
-            false => format!("{:.1}", it.psnr),
+        |it| {
+            if it.psnr.is_infinite() { "∞".to_owned() } else { format!("{:.1}", it.psnr) }
         },
     ),
     (|it| it.max.into(), |it| it.max.to_string()),

@@ -81,13 +81,14 @@ impl Program {
             }
             let status = running.status()?;
             processor = running.processor;
-            match status.success() {
-                true => Ok(()),
-                false => Err(Failure::Status {
+            if status.success() {
+                Ok(())
+            } else {
+                Err(Failure::Status {
                     command: running.command.clone(),
                     status,
                     complaints: String::new(),
-                }),
+                })
             }
         });
         Watched {

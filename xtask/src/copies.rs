@@ -146,9 +146,10 @@ pub fn build_with_scene(name: &str, source: &str, scene: &str) -> Result<PathBuf
     } = Example::of(name)?;
     // A package of another name: cargo takes packages of one name for the same, wherever they are.
     let package = format!("{folder}_scene");
-    let (sources, built) = match program == folder {
-        true => (PathBuf::from("src"), &*package),
-        false => (Path::new("src/bin").join(program), program),
+    let (sources, built) = if program == folder {
+        (PathBuf::from("src"), &*package)
+    } else {
+        (Path::new("src/bin").join(program), program)
     };
     build_changed(name, (built, &["--bin", built]), |copy| {
         let change = |file: &Path, old: &str, new: &str| {
@@ -212,12 +213,10 @@ fn copy_folder(from: &Path, to: &Path) -> Result<()> {
     for entry in from.read_dir().with_context(failed)? {
         let entry = entry.with_context(failed)?;
         let (path, copy) = (entry.path(), to.join(entry.file_name()));
-        match path.is_dir() {
-            true if entry.file_name() == "target" => {}
-            true => copy_folder(&path, &copy)?,
-            false => {
-                fs::copy(&path, &copy).with_context(failed)?;
-            }
+        if !path.is_dir() {
+            fs::copy(&path, &copy).with_context(failed)?;
+        } else if entry.file_name() != "target" {
+            copy_folder(&path, &copy)?;
         }
     }
     Ok(())

@@ -68,9 +68,10 @@ fn code_of_library() -> Result<usize> {
 fn test_modules(file: &str, text: &str) -> Vec<String> {
     let path = Path::new(file);
     let is_root = path.ends_with("mod.rs") || path.ends_with("lib.rs");
-    let folder = match is_root {
-        true => path.parent().unwrap_or(path).to_owned(),
-        false => path.with_extension(""),
+    let folder = if is_root {
+        path.parent().unwrap_or(path).to_owned()
+    } else {
+        path.with_extension("")
     };
     let mut lines = text.lines().map(str::trim);
     let mut modules = Vec::new();

@@ -209,10 +209,7 @@ fn tests(all: bool) -> Result<Vec<Step>> {
     let test = |targets: &[String]| {
         let test = cargo("test").args(["--workspace", FEATURES]).args(targets);
         let test = test.env("EXAMPLES_ARE_BUILT", "1");
-        match all {
-            true => test.args(["--", "--include-ignored"]),
-            false => test,
-        }
+        if all { test.args(["--", "--include-ignored"]) } else { test }
     };
     let firmware = test_programs(&["xtask/tests", "xtask/report/tests"])?;
     let all_others = [
@@ -367,10 +364,7 @@ fn playground() -> Result<Vec<Step>> {
 /// Returns the step that checks the library with the oldest Rust it supports, if that toolchain is
 /// installed. `all` adds the features that take long to compile.
 fn oldest_rust(all: bool) -> Option<Step> {
-    let features = match all {
-        true => "host,micromath,scenes",
-        false => "micromath",
-    };
+    let features = if all { "host,micromath,scenes" } else { "micromath" };
     let check = cargo(&format!("+{OLDEST_RUST}"))
         .args(["check", "--package", "reflet", "--lib"])
         .args(["--features", features])

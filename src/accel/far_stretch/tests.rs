@@ -27,9 +27,10 @@ fn scene(sweep: &mut Sweep, far: f64, is_sun: bool) -> Built {
     let corners = [0, 1, 2].map(|_| sweep.place().map(|it| 0.3 * it));
     scene.add_triangle(corners, None, white).unwrap();
     let towards = sweep.place().map(|it| far * it);
-    match is_sun {
-        true => scene.add_sun(towards, [1.0; 3], 0).unwrap(),
-        false => scene.add_light(towards, [1.0; 3]).unwrap(),
+    if is_sun {
+        scene.add_sun(towards, [1.0; 3], 0).unwrap()
+    } else {
+        scene.add_light(towards, [1.0; 3]).unwrap()
     };
     scene.build().unwrap()
 }

@@ -99,11 +99,7 @@ pub(in crate::accel) const fn fill(parts: &Parts<'_>, nodes: &mut [HierarchyNode
     let mut index = 0;
     while index < nodes.len() {
         // Lent memory may hold what it was used for before.
-        nodes[index].leaf = if index < count {
-            to_u16(to_u32(index))
-        } else {
-            0
-        };
+        nodes[index].leaf = if index < count { to_u16(to_u32(index)) } else { 0 };
         index += 1;
     }
     let mut node = 1;
@@ -156,11 +152,7 @@ const fn note_leaves(nodes: &mut [HierarchyNode], count: usize) {
 
 /// Returns the shape at a place of the order.
 const fn shape_at(nodes: &[HierarchyNode], place: usize) -> u16 {
-    if place < nodes.len() {
-        nodes[place].leaf
-    } else {
-        0
-    }
+    if place < nodes.len() { nodes[place].leaf } else { 0 }
 }
 
 /// Returns the widened ball of a shape. A shape that moves may be anywhere.

@@ -114,9 +114,10 @@ pub(in crate::host) fn size<'de, D: Deserializer<'de>>(source: D) -> Result<[f64
 pub(super) fn read(text: &str) -> Result<Vec<Scene>, FileError> {
     // Some editors put a byte-order mark at the start of a file.
     let text = text.strip_prefix('\u{feff}').unwrap_or(text);
-    match text.trim_start().starts_with('[') {
-        true => read_as(text),
-        false => read_as(text).map(|scene| vec![scene]),
+    if text.trim_start().starts_with('[') {
+        read_as(text)
+    } else {
+        read_as(text).map(|scene| vec![scene])
     }
 }
 

@@ -26,11 +26,7 @@ fn wrong_value(place: &str, message: &str) -> Option<String> {
         _ => place,
     };
     if message == "trailing characters" && is_inside {
-        let items = if is_of_lists(place) {
-            "lists"
-        } else {
-            "numbers"
-        };
+        let items = if is_of_lists(place) { "lists" } else { "numbers" };
         return Some(format!("{place} has more than 3 {items}: remove the rest"));
     }
     if let Some(rest) = message.strip_prefix("invalid length ") {

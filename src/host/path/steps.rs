@@ -117,10 +117,7 @@ pub fn path_of<S: Drawable, K: Shading>(
 /// ```
 pub fn paths_of_row<S: Drawable, K: Shading>(rows: &Rows<'_, S, Exact, K>, y: u32) -> Vec<Path> {
     let [width, height] = rows.sides();
-    match y < height {
-        true => paths(rows, y, 0, width),
-        false => Vec::new(),
-    }
+    if y < height { paths(rows, y, 0, width) } else { Vec::new() }
 }
 
 /// Returns the paths of the columns from `first` to the one before `end` of a row.

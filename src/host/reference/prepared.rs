@@ -115,15 +115,10 @@ fn sky(sky: &Sky) -> model::Sky {
 fn light(light: &Light) -> model::Light {
     let position = vector(light.position);
     model::Light {
-        position: if light.sun.is_some() {
-            position.unit()
-        } else {
-            position
-        },
+        position: if light.sun.is_some() { position.unit() } else { position },
         color: vector(light.color),
-        sun: light.sun.map(|degrees| match degrees > 0.0 {
-            true => (degrees.to_radians() / 2.0).cos() as Real,
-            false => 2.0,
+        sun: light.sun.map(|degrees| {
+            if degrees > 0.0 { (degrees.to_radians() / 2.0).cos() as Real } else { 2.0 }
         }),
         range: light.range.map(|range| range as Real),
     }

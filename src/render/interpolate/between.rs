@@ -125,9 +125,10 @@ impl<W: World, K: Shading, Q: Quality, M: Marks> Colors<'_, '_, W, K, Q, M> {
         if length == 2 {
             // Traced, if the expected second difference is more than four times the tolerance.
             let mut middle = start.traced;
-            match is_smooth && expected.is_within(4 * Self::TOLERANCE) {
-                true => middle.sum = middle.sum.half_way(end.traced.sum, expected),
-                false => middle = self.trace(first + 1, UNREAD).traced,
+            if is_smooth && expected.is_within(4 * Self::TOLERANCE) {
+                middle.sum = middle.sum.half_way(end.traced.sum, expected)
+            } else {
+                middle = self.trace(first + 1, UNREAD).traced
             }
             return self.set(first + 1, middle, sink);
         }

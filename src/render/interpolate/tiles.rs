@@ -120,11 +120,7 @@ impl<W: World, K: Shading, Q: Quality, M: Marks> Colors<'_, '_, W, K, Q, M> {
         let other = own.less(cell.change);
         Some((
             cell.holds,
-            if cell.holds {
-                [other, own]
-            } else {
-                [own, other]
-            },
+            if cell.holds { [other, own] } else { [own, other] },
         ))
     }
 }

@@ -87,10 +87,8 @@ impl Cell {
     /// Returns the contrast of a sample to the corners, in 8-bit levels; 0 if one of them meets what the sample meets.
     pub(super) fn contrast_to(&self, sample: &Corner) -> u32 {
         let corners = self.corners.iter();
-        let contrasts = corners.map(|corner| match corner.path == sample.path {
-            true => 0,
-            false => corner.contrast(sample),
-        });
+        let contrast = |corner: &Corner| corner.contrast(sample);
+        let contrasts = corners.map(|it| if it.path == sample.path { 0 } else { contrast(it) });
         contrasts.min().filter(|least| *least > UNSEEN).unwrap_or(0)
     }
 }

@@ -142,9 +142,10 @@ impl<'c> Chunk<'c> {
             if contrast == 0 && !is_whole {
                 continue;
             }
-            let places = match is_whole && told == 0 {
-                true => CENTER,
-                false => enough(contrast, walker.tolerance()),
+            let places = if is_whole && told == 0 {
+                CENTER
+            } else {
+                enough(contrast, walker.tolerance())
             };
             // The mean of the corners counts as one sample.
             let mut mixture = Mixture::NONE;
@@ -173,10 +174,7 @@ impl News {
     /// Notes the contrast of a sample for the pixel beside its own, on the side where the sample lies, if no edge crosses that
     /// pixel and nothing is noted yet. Returns the bit of that pixel if something is noted now.
     fn tell(&mut self, chunk: &Chunk<'_>, (place, at): (u32, &Place), sample: &Corner) -> u32 {
-        let next = match at[0] > PIXEL / 2 {
-            true => Some(place + 1),
-            false => place.checked_sub(1),
-        };
+        let next = if at[0] > PIXEL / 2 { Some(place + 1) } else { place.checked_sub(1) };
         let Some(next) = next.filter(|next| *next < chunk.count) else {
             return 0;
         };

@@ -71,9 +71,10 @@ impl Side {
 
     /// Returns where an edge crosses the side, in steps; its middle if none does.
     pub(super) fn at(self) -> i32 {
-        match self.is_whole() {
-            true => Self::LENGTH / 2,
-            false => i32::from(self.0 & (Self::TANGLED - 1)),
+        if self.is_whole() {
+            Self::LENGTH / 2
+        } else {
+            i32::from(self.0 & (Self::TANGLED - 1))
         }
     }
 }

@@ -37,13 +37,12 @@ fn scene() -> Built {
 /// Returns the first hit of a ray, by the near kernels where they can tell.
 fn first(scene: &Built, path: &ScaledRay) -> Option<(ScaledPoint, ShapeId)> {
     let skip = ShapeId::NONE;
-    let hit = match path.from().is_near() {
-        true => {
-            let ray = (&path.ray, NOWHERE);
-            let bounded = nearest_of(scene, ray, skip);
-            planes::nearest(scene, &path.ray, skip, bounded)
-        }
-        false => Hit::BEYOND,
+    let hit = if path.from().is_near() {
+        let ray = (&path.ray, NOWHERE);
+        let bounded = nearest_of(scene, ray, skip);
+        planes::nearest(scene, &path.ray, skip, bounded)
+    } else {
+        Hit::BEYOND
     };
     located::<_, false>(scene, path, skip, hit)
 }

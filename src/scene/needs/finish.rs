@@ -38,11 +38,7 @@ pub enum Mirrors {
 
 impl Shininess {
     pub(super) const fn less(self, other: Self) -> Self {
-        if (self as u8) < other as u8 {
-            self
-        } else {
-            other
-        }
+        if (self as u8) < other as u8 { self } else { other }
     }
 }
 

@@ -68,10 +68,7 @@ fn highlights_need_a_light_and_a_surface_that_does_not_mirror_all() {
             let shiny = GREY.specular(0.5, shininess).mirror(mirror);
             let shiny = scene.add_material(shiny)?;
             scene.add_sphere([0, 0, 0], 1, shiny)?;
-            match is_lit {
-                true => scene.add_light([9, 9, 9], [1, 1, 1]).map(drop),
-                false => Ok(()),
-            }
+            if is_lit { scene.add_light([9, 9, 9], [1, 1, 1]).map(drop) } else { Ok(()) }
         })
     };
     let kind = |needs: Needs| (needs.highlights, needs.shininess);

@@ -204,10 +204,7 @@ impl PreparedCylinder {
             let ends = row.axis.sixteenths(numerator, off * tangent, scale);
             is_sure &= row.axis.is_exact(signed_wide(rest), scale, touching);
             is_sure &= ends[1] - ends[0] <= 6;
-            match aside > 0 {
-                true => first = first.max(ends[0]),
-                false => last = last.min(ends[1]),
-            }
+            if aside > 0 { first = first.max(ends[0]) } else { last = last.min(ends[1]) }
         }
         Some(([first, last], is_sure))
     }

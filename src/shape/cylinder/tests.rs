@@ -80,9 +80,10 @@ impl Truth {
     /// almost parallel to the axis, and 1 / sine² for others, because they divide lengths across the
     /// axis by sine².
     fn stretch(&self) -> f64 {
-        match self.sine * self.sine * 2f64.powi(30) < f64::from(STEEP) {
-            true => 1.0 / self.sine,
-            false => 1.0 / (self.sine * self.sine),
+        if self.sine * self.sine * 2f64.powi(30) < f64::from(STEEP) {
+            1.0 / self.sine
+        } else {
+            1.0 / (self.sine * self.sine)
         }
     }
 
@@ -338,12 +339,7 @@ fn normal_points_away_from_the_axis_and_has_length_one() {
         assert!(aside <= moved + rounded, "{aside:e}: {radius}");
         // The points on axis and wall are rounded to even steps, by at most √12 each. The normal is too
         // long by the same factor as the vector between them.
-        let long = length(normal)
-            - if short {
-                1.0
-            } else {
-                length(truth) / f64::from(radius)
-            };
+        let long = length(normal) - if short { 1.0 } else { length(truth) / f64::from(radius) };
         let moved = if short { 0.0 } else { moved };
         assert!(long.abs() <= moved + rounded, "{long:e}: {radius}");
         let off = length(truth) - f64::from(radius);
@@ -369,11 +365,7 @@ fn ray_leaving_a_cylinder_outward_misses_it() {
             .lifted(normal, Length::from_bits(16))
             .point;
         let any = any_direction(&mut sweep);
-        let upward = if any.dot(normal).to_bits() < 0 {
-            any.reversed()
-        } else {
-            any
-        };
+        let upward = if any.dot(normal).to_bits() < 0 { any.reversed() } else { any };
         // Reflected as at curved surfaces: renormalised, because the normal's length is not exactly one.
         let mirrored = arriving
             .direction
@@ -415,11 +407,7 @@ fn ray_leaving_the_inside_of_a_cylinder_crosses_it() {
             .lifted(normal, Length::from_bits(64))
             .point;
         let any = any_direction(&mut sweep);
-        let upward = if any.dot(normal).to_bits() < 0 {
-            any.reversed()
-        } else {
-            any
-        };
+        let upward = if any.dot(normal).to_bits() < 0 { any.reversed() } else { any };
         let leaving = Ray {
             origin,
             direction: upward,

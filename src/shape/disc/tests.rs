@@ -165,14 +165,13 @@ fn disc_that_is_laid_on_the_grid_is_a_few_steps_wider() {
             material: MaterialId(7),
         };
         let laid = PreparedDisc::prepare(&described, &grid);
-        match is_laid {
-            false => assert_eq!(laid.unwrap_err(), ErrorKind::Tiny),
-            true => {
-                let laid = laid.unwrap();
-                assert_eq!(laid.ball(), (point([1, 2, 3]), radius + RIM));
-                assert_eq!(laid.normal, direction([0, 0, 1]));
-                assert_eq!(laid.material, MaterialId(7));
-            }
+        if is_laid {
+            let laid = laid.unwrap();
+            assert_eq!(laid.ball(), (point([1, 2, 3]), radius + RIM));
+            assert_eq!(laid.normal, direction([0, 0, 1]));
+            assert_eq!(laid.material, MaterialId(7));
+        } else {
+            assert_eq!(laid.unwrap_err(), ErrorKind::Tiny)
         }
     }
 }
@@ -300,19 +299,17 @@ fn ray_leaving_a_disc_misses_it() {
         };
         left += 1;
         let at = arriving.origin.along(arriving.direction, distance);
-        let normal = match arriving.direction.dot(disc.normal(at)).to_bits() > 0 {
-            true => disc.normal(at).reversed(),
-            false => disc.normal(at),
+        let normal = if arriving.direction.dot(disc.normal(at)).to_bits() > 0 {
+            disc.normal(at).reversed()
+        } else {
+            disc.normal(at)
         };
         // A hit is known to a few steps along the normal.
         let origin = ScaledPoint::new(at, 0)
             .lifted(normal, Length::from_bits(16))
             .point;
         let any = any_direction(&mut sweep);
-        let upward = match any.dot(normal).to_bits() < 0 {
-            true => any.reversed(),
-            false => any,
-        };
+        let upward = if any.dot(normal).to_bits() < 0 { any.reversed() } else { any };
         let mirrored = arriving
             .direction
             .reflected(normal, arriving.direction.dot(normal));

@@ -32,9 +32,10 @@ impl PreparedPlane {
         };
         let Quotient { mantissa, exponent } = divide(height, descent);
         let exponent = exponent + signed(scale);
-        match exponent < 30 {
-            true => unsigned_wide(shifted(mantissa.into(), exponent.max(-63))),
-            false => NOT_MET,
+        if exponent < 30 {
+            unsigned_wide(shifted(mantissa.into(), exponent.max(-63)))
+        } else {
+            NOT_MET
         }
     }
 
@@ -55,9 +56,12 @@ impl PreparedPlane {
     fn height_far(&self, place: ScaledPoint) -> (i64, u32) {
         let scale = place.scale.max(self.far_scale);
         let along = place.point.to_vector().dot_wide(self.normal);
-        let at_scale = |value: i64, from: u32| match scale == from {
-            true => value,
-            false => shifted(value, -signed((scale - from).min(63))),
+        let at_scale = |value: i64, from: u32| {
+            if scale == from {
+                value
+            } else {
+                shifted(value, -signed((scale - from).min(63)))
+            }
         };
         (
             at_scale(along, place.scale) - at_scale(self.far_offset, self.far_scale),
@@ -91,9 +95,10 @@ impl PreparedPlane {
         let limit = wide_unsigned(descent, unsigned(reach.to_bits()));
         // Both sides are whole numbers. So the one that is not shifted may be rounded instead.
         let (own, other) = (height_scale.min(60), scale.min(60));
-        match own > other {
-            true => limit > 0 && height <= (limit - 1) >> (own - other),
-            false => height >> (other - own) < limit,
+        if own > other {
+            limit > 0 && height <= (limit - 1) >> (own - other)
+        } else {
+            height >> (other - own) < limit
         }
     }
 }

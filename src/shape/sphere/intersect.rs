@@ -31,11 +31,7 @@ impl PreparedSphere {
         // most.
         let half_chord = root_of_square(unsigned_wide(half_chord_square) | 1);
         let entry = distance - half_chord;
-        let met = if entry > start.to_bits() {
-            entry
-        } else {
-            distance + half_chord
-        };
+        let met = if entry > start.to_bits() { entry } else { distance + half_chord };
         (start.to_bits() < met && met < reach.to_bits()).then_some(Length::from_bits(met))
     }
 

@@ -219,11 +219,7 @@ fn normal_points_away_from_the_centre_and_has_length_one() {
         let rounded = 2.0 * 2f64.powi(if short { -29 } else { -28 });
         // The normal is too long by the same factor as the vector from the centre to the hit. Rounding
         // three coordinates down to even steps changes that vector by at most √12.
-        let own = if short {
-            1.0
-        } else {
-            length(truth) / f64::from(radius)
-        };
+        let own = if short { 1.0 } else { length(truth) / f64::from(radius) };
         let long = length(normal) - own;
         assert!(long.abs() <= rounded, "{long:e}: {radius} {outward:?}");
         assert!((own - 1.0).abs() <= 2f64.powi(-16), "{own}: {radius}");
@@ -261,11 +257,7 @@ fn ray_leaving_a_sphere_misses_it() {
         }
         left_outside += 1;
         let any = any_direction(&mut sweep);
-        let upward = if any.dot(normal).to_bits() < 0 {
-            any.reversed()
-        } else {
-            any
-        };
+        let upward = if any.dot(normal).to_bits() < 0 { any.reversed() } else { any };
         // Reflected as at curved surfaces: renormalised, because the normal's length is not exactly one.
         let mirrored = arriving
             .direction
@@ -299,11 +291,7 @@ fn ray_leaving_the_inside_of_a_sphere_crosses_it() {
         };
         let (origin, normal) = left(&sphere, &arriving).unwrap();
         let any = any_direction(&mut sweep);
-        let upward = if any.dot(normal).to_bits() < 0 {
-            any.reversed()
-        } else {
-            any
-        };
+        let upward = if any.dot(normal).to_bits() < 0 { any.reversed() } else { any };
         let leaving = Ray {
             origin,
             direction: upward,

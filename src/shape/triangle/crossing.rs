@@ -27,9 +27,10 @@ const UNSURE: i32 = 8;
 fn passes(across: Vector, side: Vector, ray: (&Direction, Vector)) -> i64 {
     let high = across.dot_raw(side);
     let most = side.x.unsigned_abs() + side.y.unsigned_abs() + side.z.unsigned_abs();
-    match high.unsigned_abs() > u64::from(most) {
-        true => high,
-        false => with_fractions(high, side, ray),
+    if high.unsigned_abs() > u64::from(most) {
+        high
+    } else {
+        with_fractions(high, side, ray)
     }
 }
 
@@ -123,10 +124,12 @@ impl PreparedTriangle {
             return None;
         }
         let (height, rise) = (from.height.unsigned_abs(), climb.unsigned_abs());
-        let distance = match approaches && !is_level {
-            true if height < rise => ratio(height, rise).max(nearest).min(furthest),
-            true => furthest,
-            false => (nearest >> 1) + (furthest >> 1),
+        let distance = if !approaches || is_level {
+            (nearest >> 1) + (furthest >> 1)
+        } else if height < rise {
+            ratio(height, rise).max(nearest).min(furthest)
+        } else {
+            furthest
         };
         let distance = Length::from_bits(distance);
         range.holds(distance).then_some(distance)

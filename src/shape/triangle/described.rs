@@ -231,11 +231,7 @@ pub(super) const fn larger(a: u64, b: u64) -> u64 {
 
 /// Returns `value` · 2^`shift`, in the raw bits of a number.
 const fn scaled(value: i128, shift: i32) -> i128 {
-    if shift >= 0 {
-        value << shift
-    } else {
-        value >> -shift
-    }
+    if shift >= 0 { value << shift } else { value >> -shift }
 }
 
 /// Returns the position at the end of a vector in units of 2^`shift`.

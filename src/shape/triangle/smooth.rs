@@ -77,8 +77,5 @@ fn above(normal: Direction, flat: Direction, view: Direction) -> Direction {
     let (along, _) = along.normalised();
     // Half of each, so that the difference fits.
     let between = along.raw().coarser(1).minus(view.raw().coarser(1));
-    match between.square() < 1 << 36 {
-        true => flat,
-        false => between.normalised().0,
-    }
+    if between.square() < 1 << 36 { flat } else { between.normalised().0 }
 }

@@ -129,9 +129,10 @@ fn shares_and_the_weight_left_add_up_to_exactly_one_in_fixed_point() {
         for hit in held_all(&chain) {
             let reflected = share(weight, hit.mirror);
             assert!(reflected >= Unit::ZERO);
-            match hit.mirror < Unit::ONE && weight > Unit::ZERO {
-                true => assert!(reflected < weight),
-                false => assert_eq!(reflected, weight),
+            if hit.mirror < Unit::ONE && weight > Unit::ZERO {
+                assert!(reflected < weight)
+            } else {
+                assert_eq!(reflected, weight)
             }
             shares += weight - reflected;
             weight = reflected;

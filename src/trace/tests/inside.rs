@@ -66,11 +66,12 @@ fn followed_inside(rounds: u32, is_sphere: bool, seed: u64) -> Fate {
         let end = sweep.triple(1000).map(|it| f64::from(it) * 3.0e-4);
         let axis = sweep.triple(1000).map(|it| f64::from(it) + 0.5);
         let height = (radius * f64::from(sweep.within(2, 60))).min(0.8);
-        match is_sphere {
-            true => scene.add_sphere(end, radius, mirror).map(drop),
-            false => scene
+        if is_sphere {
+            scene.add_sphere(end, radius, mirror).map(drop)
+        } else {
+            scene
                 .add_cylinder(end, axis, radius, height, mirror)
-                .map(drop),
+                .map(drop)
         }
         .unwrap();
         scene.add_sphere([0.0; 3], 0.999, mirror).unwrap();
@@ -94,9 +95,10 @@ fn followed_inside(rounds: u32, is_sphere: bool, seed: u64) -> Fate {
             radius: f64::from(steps),
             half_height: height / 2.0 * 2f64.powi(grid.fraction_bits()),
         };
-        let number = match is_sphere {
-            true => ShapeId::at(0),
-            false => ShapeId::at(scene.parts().spheres.len()),
+        let number = if is_sphere {
+            ShapeId::at(0)
+        } else {
+            ShapeId::at(scene.parts().spheres.len())
         };
         for _ in 0..8 {
             let from = grid.place(Position::new(aside(&mut sweep, 0.9)));
@@ -108,9 +110,10 @@ fn followed_inside(rounds: u32, is_sphere: bool, seed: u64) -> Fate {
             for bounce in 0..16 {
                 let met = first(&scene, &path, left).filter(|(_, shape)| *shape == number);
                 let Some((at, shape)) = met else {
-                    match is_sphere || tube.keeps(&path) {
-                        true => fate.lost += 1,
-                        false => fate.left_by_end += 1,
+                    if is_sphere || tube.keeps(&path) {
+                        fate.lost += 1
+                    } else {
+                        fate.left_by_end += 1
                     }
                     break;
                 };

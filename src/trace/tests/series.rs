@@ -169,9 +169,10 @@ fn error_and_its_bound_fall_with_each_reflection() {
             let (error, bound) = (all - sum, weight * brightest);
             assert!((-near..=bound + near).contains(&error), "{error} {bound}");
             assert!(error <= last_error + near, "{error} after {last_error}");
-            match hits[count - 1].alpha < 1.0 && last_bound > 0.0 {
-                true => assert!(bound < last_bound, "{bound} after {last_bound}"),
-                false => assert_eq!(bound, last_bound),
+            if hits[count - 1].alpha < 1.0 && last_bound > 0.0 {
+                assert!(bound < last_bound, "{bound} after {last_bound}")
+            } else {
+                assert_eq!(bound, last_bound)
             }
             (last_error, last_bound) = (error, bound);
         }

@@ -121,15 +121,17 @@ fn add_light(numbers: &mut Numbers, scene: &mut Scenery, has_ranges: bool) -> Re
     for _ in 0..numbers.count(4)? {
         let color = [numbers.brightness()? * 2.0; 3];
         let place = numbers.place()?;
-        match has_ranges {
-            true => scene.add_light_with_range(place, color, numbers.size()?)?,
-            false => scene.add_light(place, color)?,
+        if has_ranges {
+            scene.add_light_with_range(place, color, numbers.size()?)?
+        } else {
+            scene.add_light(place, color)?
         };
     }
     scene.set_background([numbers.brightness()?; 3])?;
-    match numbers.bytes.arbitrary()? {
-        true => scene.set_epsilon(numbers.size()?)?,
-        false => scene.set_epsilon(1e-4 * numbers.unit)?,
+    if numbers.bytes.arbitrary()? {
+        scene.set_epsilon(numbers.size()?)?
+    } else {
+        scene.set_epsilon(1e-4 * numbers.unit)?
     }
     // Last, so that a stored input stays the same scene: where the bytes have ended, there is no sky.
     if numbers.bytes.ratio(3, 4)? {
@@ -163,9 +165,10 @@ fn add_triangles(numbers: &mut Numbers, scene: &mut Scenery, ids: &[MaterialId])
         let corners = three(|| numbers.place())?;
         let normals = three(|| numbers.way())?;
         let id = *numbers.bytes.choose(ids)?;
-        match numbers.bytes.arbitrary()? {
-            true => scene.add_triangle(corners, normals, id)?,
-            false => scene.add_triangle(corners, None, id)?,
+        if numbers.bytes.arbitrary()? {
+            scene.add_triangle(corners, normals, id)?
+        } else {
+            scene.add_triangle(corners, None, id)?
         };
     }
     Ok(())

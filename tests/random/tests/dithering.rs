@@ -293,9 +293,10 @@ fn area_is_filled_as_one_where_all_its_dots_are_the_same() {
         let mut dithered = Dithered::new(&mut recorder);
         dithered.fill_solid(&area, grey(value)).unwrap();
         let dots: Vec<BinaryColor> = area.points().map(|at| dither(grey(value), at)).collect();
-        let expected = match dots.iter().all(|&dot| dot == dots[0]) {
-            true => Call::Solid(area, dots[0]),
-            false => Call::Colors(area, dots),
+        let expected = if dots.iter().all(|&dot| dot == dots[0]) {
+            Call::Solid(area, dots[0])
+        } else {
+            Call::Colors(area, dots)
         };
         assert_eq!(recorder.calls, [expected], "{value}");
     }

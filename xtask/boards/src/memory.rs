@@ -48,11 +48,7 @@ impl Memory {
     /// Reads 1, 2 or 4 bytes. Returns `None` where there is no memory.
     #[inline(always)]
     pub fn read(&self, address: u32, size: usize) -> Option<u32> {
-        let region = if address < self.ram.base {
-            &self.flash
-        } else {
-            &self.ram
-        };
+        let region = if address < self.ram.base { &self.flash } else { &self.ram };
         let bytes = &region.bytes[region.place(address, size)?..];
         Some(match *bytes {
             [a, b, c, d, ..] if size == 4 => u32::from_le_bytes([a, b, c, d]),

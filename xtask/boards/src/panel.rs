@@ -261,11 +261,7 @@ impl Panel {
         if x == SIDE - 1 {
             self.finished_row = Some(y);
         }
-        self.place = if x < columns[1] {
-            [x + 1, y]
-        } else {
-            [columns[0], y + 1]
-        };
+        self.place = if x < columns[1] { [x + 1, y] } else { [columns[0], y + 1] };
         Ok(())
     }
 }

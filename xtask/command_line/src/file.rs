@@ -72,13 +72,12 @@ impl OutputFile {
 
     fn in_format(path: &Path, format: &str, what: &str) -> Result<Self, Failure> {
         let extension = path.extension().unwrap_or(format.as_ref());
-        match extension.eq_ignore_ascii_case(format) {
-            true => Self::at(path),
-            false => {
-                let (shown, named) = (shown(path), shown(&path.with_extension(format)));
-                let format = format.to_uppercase();
-                Err(format!("{shown}: {what} are written as {format} only: name it {named}").into())
-            }
+        if extension.eq_ignore_ascii_case(format) {
+            Self::at(path)
+        } else {
+            let (shown, named) = (shown(path), shown(&path.with_extension(format)));
+            let format = format.to_uppercase();
+            Err(format!("{shown}: {what} are written as {format} only: name it {named}").into())
         }
     }
 

@@ -21,9 +21,10 @@ pub fn materials(source: &str, scene: &Scene) -> Vec<String> {
         }
     }
     let count = scene.materials.len();
-    match names.len() == count {
-        true => names,
-        false => (1..=count).map(|it| format!("material {it}")).collect(),
+    if names.len() == count {
+        names
+    } else {
+        (1..=count).map(|it| format!("material {it}")).collect()
     }
 }
 

@@ -9,9 +9,12 @@ use reflet::host::reference;
 /// # Errors
 /// Fails if the text is not two numbers from 1 to 65535 with an `x` between them.
 pub fn size(text: &str) -> Result<Size, &'static str> {
-    let side = |digits: &str| match digits.bytes().all(|digit| digit.is_ascii_digit()) {
-        true => digits.parse::<u16>().ok().filter(|&side| side > 0),
-        false => None,
+    let side = |digits: &str| {
+        if digits.bytes().all(|digit| digit.is_ascii_digit()) {
+            digits.parse::<u16>().ok().filter(|&side| side > 0)
+        } else {
+            None
+        }
     };
     let sides = text
         .split_once('x')

@@ -36,8 +36,5 @@ fn line(point: &Point) -> String {
 }
 
 fn constant(letter: char) -> char {
-    match letter.is_ascii_alphanumeric() {
-        true => letter.to_ascii_uppercase(),
-        false => '_',
-    }
+    if letter.is_ascii_alphanumeric() { letter.to_ascii_uppercase() } else { '_' }
 }

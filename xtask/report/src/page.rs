@@ -98,10 +98,7 @@ impl Section<'_> {
 }
 
 fn decibels(psnr: f64) -> String {
-    match psnr.is_finite() {
-        true => format!("{psnr:.1}"),
-        false => "∞".to_owned(),
-    }
+    if psnr.is_finite() { format!("{psnr:.1}") } else { "∞".to_owned() }
 }
 
 fn list(lines: impl IntoIterator<Item = String>) -> String {

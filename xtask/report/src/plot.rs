@@ -76,10 +76,7 @@ impl Axis {
         let scale = |it: f64| if self.is_logarithmic { it.log10() } else { it };
         let Range { start, end } = self.range;
         let last = self.ticks.last().map_or(end, |it| it.0);
-        let value = match self.is_logarithmic {
-            true => value,
-            false => value.clamp(start, last),
-        };
+        let value = if self.is_logarithmic { value } else { value.clamp(start, last) };
         let share = (scale(value) - scale(start)) / (scale(end) - scale(start));
         let [from, to] = self.pixels;
         from + (share * f64::from(to - from)).round() as i32

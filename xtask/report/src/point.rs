@@ -35,9 +35,10 @@ impl Point {
 
     /// Returns the PSNR in hundredths of a decibel, rounded down; `u16::MAX` if no pixel differs.
     pub fn hundredths(&self) -> u16 {
-        match self.psnr.is_finite() {
-            true => (100.0 * self.psnr).floor().clamp(0.0, 65_534.0) as u16,
-            false => u16::MAX,
+        if self.psnr.is_finite() {
+            (100.0 * self.psnr).floor().clamp(0.0, 65_534.0) as u16
+        } else {
+            u16::MAX
         }
     }
 }

@@ -52,8 +52,9 @@ pub fn csv(core: &str, size: &str, scenes: &[Measured]) -> Result<String> {
 /// Formats a number with at most this many digits after the point, without zeros at the end.
 fn digits(value: f64, behind: usize) -> String {
     let text = format!("{value:.behind$}");
-    match text.contains('.') {
-        true => text.trim_end_matches('0').trim_end_matches('.').to_owned(),
-        false => text,
+    if text.contains('.') {
+        text.trim_end_matches('0').trim_end_matches('.').to_owned()
+    } else {
+        text
     }
 }

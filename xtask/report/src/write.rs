@@ -43,9 +43,8 @@ pub fn all(arguments: &Arguments, scenes: &[Measured]) -> Result<()> {
 }
 
 pub fn file_name(scene: &str) -> String {
-    let safe = |letter: char| match letter.is_alphanumeric() || "-_".contains(letter) {
-        true => letter,
-        false => '_',
+    let safe = |letter: char| {
+        if letter.is_alphanumeric() || "-_".contains(letter) { letter } else { '_' }
     };
     scene.chars().map(safe).take(50).collect()
 }

@@ -77,10 +77,7 @@ pub fn watch(
             is_seen = true;
             see(&mut code, Executed { before, now, next })?;
         }
-        past = match watch.sees(next, &code) {
-            true => [past[1], Some(next)],
-            false => [None; 2],
-        };
+        past = if watch.sees(next, &code) { [past[1], Some(next)] } else { [None; 2] };
         Ok(())
     })?;
     ensure!(is_seen, "none of what is wanted was executed");

@@ -218,12 +218,13 @@ impl Running {
     fn judged(&mut self) -> Result<String, Failure> {
         let status = self.program.status();
         let status = status.map_err(|failure| self.named(failure))?;
-        match status.success() {
-            true => Ok(self.said.join("\n")),
-            false => Err(Failure::Fault {
+        if status.success() {
+            Ok(self.said.join("\n"))
+        } else {
+            Err(Failure::Fault {
                 status,
                 said: tail(&self.said),
-            }),
+            })
         }
     }
 

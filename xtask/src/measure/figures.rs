@@ -108,9 +108,10 @@ pub(super) fn aligned(rows: &[Vec<String>]) -> String {
     let lines = rows.iter().map(|row| {
         let cells = row.iter().enumerate().map(|(column, cell)| {
             let width = widths[column];
-            match is_number(column) {
-                true => format!("{cell:>width$}"),
-                false => format!("{cell:<width$}"),
+            if is_number(column) {
+                format!("{cell:>width$}")
+            } else {
+                format!("{cell:<width$}")
             }
         });
         cells.collect::<Vec<_>>().join("  ").trim_end().to_owned()

@@ -61,9 +61,10 @@ pub fn sending() -> String {
 
 /// Returns the seconds of a scene's frame on a board, estimated now.
 pub fn estimated(board: &'static Owned, scene: &str) -> Result<f64> {
-    let path = match FILES.contains(&scene) {
-        true => root().join(format!("examples/scenes/{scene}.json")),
-        false => PathBuf::from(scene),
+    let path = if FILES.contains(&scene) {
+        root().join(format!("examples/scenes/{scene}.json"))
+    } else {
+        PathBuf::from(scene)
     };
     let core = Core::find(board.core).context("no such core")?;
     let scene = Scene::open(&path, &Chosen::default())?;

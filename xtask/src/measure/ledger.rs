@@ -24,9 +24,10 @@ fn file() -> PathBuf {
 /// Forgets what was noted before.
 pub fn clear() -> Result<()> {
     let file = file();
-    match file.exists() {
-        true => fs::remove_file(&file).with_context(|| format!("cannot remove {}", file.display())),
-        false => Ok(()),
+    if file.exists() {
+        fs::remove_file(&file).with_context(|| format!("cannot remove {}", file.display()))
+    } else {
+        Ok(())
     }
 }
 

@@ -68,9 +68,10 @@ pub fn run(arguments: &Arguments) -> Result<()> {
         return print(arguments.board.report(&task, arguments.json)? + "\n");
     }
     let figures = measure(&task)?;
-    let text = match arguments.json {
-        true => json_line(&figures.json()?),
-        false => figures::table(&[figures]),
+    let text = if arguments.json {
+        json_line(&figures.json()?)
+    } else {
+        figures::table(&[figures])
     };
     print(text + "\n")
 }

@@ -27,9 +27,10 @@ pub struct MovingFigures {
 /// Measures a task with a shape that moves and prints the figures.
 pub fn run(task: &Task, is_json: bool) -> Result<()> {
     let figures = measure(task)?;
-    let text = match is_json {
-        true => json_line(&serde_json::to_string(&figures).context("figures are plain")?),
-        false => table(&figures),
+    let text = if is_json {
+        json_line(&serde_json::to_string(&figures).context("figures are plain")?)
+    } else {
+        table(&figures)
     };
     print(text + "\n")
 }

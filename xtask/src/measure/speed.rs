@@ -167,9 +167,10 @@ impl Board {
 
 impl Speed {
     pub fn frame(self) -> f64 {
-        match self.has_dma {
-            true => self.tracing.max(self.sending),
-            false => self.tracing + self.sending,
+        if self.has_dma {
+            self.tracing.max(self.sending)
+        } else {
+            self.tracing + self.sending
         }
     }
 }

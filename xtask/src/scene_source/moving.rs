@@ -47,9 +47,12 @@ impl Moving {
     /// where it is. The compiler does not know that.
     pub fn moves(&self, scene: &str) -> String {
         let kind = self.kind;
-        let field = |field: &String| match field.starts_with('[') {
-            true => format!("reflet::Position::new({field})"),
-            false => format!("reflet::Number::new({field})"),
+        let field = |field: &String| {
+            if field.starts_with('[') {
+                format!("reflet::Position::new({field})")
+            } else {
+                format!("reflet::Number::new({field})")
+            }
         };
         let fields: Vec<_> = self.fields.iter().map(field).collect();
         let (fields, names) = (fields.join(", "), ["a", "b", "c", "d"]);

@@ -25,19 +25,12 @@ fn write_exceptions(page: &mut String, tried: &[Tried]) {
             format!("- {}: {fixed} against {single}. {reason}\n", it.case.name)
         })
         .collect();
-    page.push_str(&match lines.is_empty() {
-        true => "Nowhere.\n".to_owned(),
-        false => lines.concat(),
-    });
+    page.push_str(&if lines.is_empty() { "Nowhere.\n".to_owned() } else { lines.concat() });
 }
 
 fn head(tried: &[Tried]) -> String {
     let compared = Compared::of(tried);
-    let aim = if compared.is_aim_met() {
-        "met"
-    } else {
-        "missed"
-    };
+    let aim = if compared.is_aim_met() { "met" } else { "missed" };
     format!(
         "# Stiff and extreme cases\n\n\
          Written by `cargo run --release --package stability`, which ends with exit code 1 where a \

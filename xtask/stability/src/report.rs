@@ -50,10 +50,7 @@ impl Tried {
             format!("within 8: Exact {exact}, Fast {fast}, f32 {single}")
         });
         let parts: Vec<_> = errors.into_iter().chain(within8).collect();
-        match parts.is_empty() {
-            true => verdict.words.clone(),
-            false => parts.join("; "),
-        }
+        if parts.is_empty() { verdict.words.clone() } else { parts.join("; ") }
     }
 }
 

@@ -17,11 +17,7 @@ pub(super) fn text(source: &RustSource<'_>, type_name: &str, materials: &[String
     let constants: String = used
         .map(|(_, (name, material))| constant(name, material))
         .collect();
-    let import = if constants.is_empty() {
-        ""
-    } else {
-        "Material, "
-    };
+    let import = if constants.is_empty() { "" } else { "Material, " };
     let name = source.name.escape_debug();
     format!(
         "//! The scene `{name}`, written from a scene file by `cargo xtask scene`.\n\n\

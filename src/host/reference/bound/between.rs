@@ -80,10 +80,8 @@ impl Part<'_> {
         if self.length == 2 || x == middle {
             return own;
         }
-        let (start, length) = match x < middle {
-            true => (self.start, half),
-            false => (middle, self.length - half),
-        };
+        let (start, length) =
+            if x < middle { (self.start, half) } else { (middle, self.length - half) };
         let part = Self {
             start,
             length,
@@ -134,11 +132,7 @@ impl Part<'_> {
         let half_way = |bend: Vector| (start + end) * 0.5 - bend * 0.5;
         debug_assert!(middle == self.color(x));
         let is_even = self.allows(end - start, 3.0);
-        let line = if is_even {
-            miss(half_way(Vector::ZERO))
-        } else {
-            0.0
-        };
+        let line = if is_even { miss(half_way(Vector::ZERO)) } else { 0.0 };
         match self.expected {
             Some(bend) if is_even || self.allows(bend, 4.0) => line.max(miss(half_way(bend))),
             _ => line,

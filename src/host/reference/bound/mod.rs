@@ -233,11 +233,7 @@ impl Ending {
     /// Returns the number of columns of a block in a picture of `width` columns, in a quality with this
     /// tolerance that does not leave out the code for speed.
     pub fn block_of(width: u32, tolerance: f64) -> u32 {
-        if tolerance == 0.0 {
-            1
-        } else {
-            block_of(width, false)
-        }
+        if tolerance == 0.0 { 1 } else { block_of(width, false) }
     }
 }
 

@@ -206,9 +206,10 @@ impl Hit {
         let cosine = -surface.normal.dot(ray.direction);
         let aside = drift.place + distance * drift.direction + 6.0 * step;
         let slide = aside / cosine + distance * to_the_minus(26);
-        let normal = match curvature > 0.0 {
-            true => (slide + 6.0 * step) * curvature + to_the_minus(16),
-            false => to_the_minus(29),
+        let normal = if curvature > 0.0 {
+            (slide + 6.0 * step) * curvature + to_the_minus(16)
+        } else {
+            to_the_minus(29)
         };
         Self {
             place: slide + scene.epsilon * normal + 2.0 * step,

@@ -136,10 +136,7 @@ pub struct Sky {
 impl Sky {
     fn color(&self, direction: Vector) -> Vector {
         let rise = direction.dot(self.up);
-        let (end, share) = match rise < 0.0 {
-            true => (self.below, -rise),
-            false => (self.above, rise),
-        };
+        let (end, share) = if rise < 0.0 { (self.below, -rise) } else { (self.above, rise) };
         self.horizon + (end - self.horizon) * share
     }
 }

@@ -117,11 +117,7 @@ impl Shape for Sphere {
         }
         let half_chord = square_root(half_chord_squared);
         let near = middle - half_chord;
-        let distance = if near > 0.0 {
-            near
-        } else {
-            middle + half_chord
-        };
+        let distance = if near > 0.0 { near } else { middle + half_chord };
         (distance > 0.0 && distance < reach).then_some(distance)
     }
 
@@ -276,19 +272,12 @@ impl Triangle {
             return flat;
         }
         let normal = sum.unit();
-        let normal = if normal.dot(flat) < 0.0 {
-            -normal
-        } else {
-            normal
-        };
+        let normal = if normal.dot(flat) < 0.0 { -normal } else { normal };
         let mirrored = (-view).mirrored(normal);
         if mirrored.dot(flat) >= 0.0 {
             return normal;
         }
         let between = mirrored.across(flat).unit() - view;
-        match between.dot(between) < 1e-6 {
-            true => flat,
-            false => between.unit(),
-        }
+        if between.dot(between) < 1e-6 { flat } else { between.unit() }
     }
 }

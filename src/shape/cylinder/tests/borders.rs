@@ -29,11 +29,13 @@ impl Cut {
         let middle = dot(flat(way), flat(along)) / square;
         let aside = length(plus(flat(way), -middle, flat(along)));
         let (radius, half) = (f64::from(cylinder.radius), f64::from(cylinder.half_height));
-        let roots = match square > 1e-14 {
-            true => roots(middle, (radius * radius - aside * aside) / square),
+        let roots = if square > 1e-14 {
+            roots(middle, (radius * radius - aside * aside) / square)
+        } else if length(flat(way)) <= radius {
             // Along the axis.
-            false if length(flat(way)) <= radius => vec![-f64::INFINITY, f64::INFINITY],
-            false => Vec::new(),
+            vec![-f64::INFINITY, f64::INFINITY]
+        } else {
+            Vec::new()
         };
         let &[near, far] = roots.as_slice() else {
             return Self::NOTHING;

@@ -32,9 +32,10 @@ fn truth(
     let normal = normal.map(|it| if dot(normal, flat) < 0.0 { -it } else { it });
     let mirrored = plus(view, -2.0 * dot(view, normal), normal);
     let height = dot(mirrored, flat);
-    match height < 0.0 {
-        true => unit(plus(unit(plus(mirrored, -height, flat)), -1.0, view)),
-        false => normal,
+    if height < 0.0 {
+        unit(plus(unit(plus(mirrored, -height, flat)), -1.0, view))
+    } else {
+        normal
     }
 }
 

@@ -266,11 +266,7 @@ impl Pins for Rp {
             (FUNCTION_SPI, 3) => Role::Data { unit },
             (FUNCTION_SIO, _) => {
                 let [out, enabled] = self.outputs().map(|it| it >> number & 1 == 1);
-                if enabled {
-                    Role::Output(out)
-                } else {
-                    Role::Input
-                }
+                if enabled { Role::Output(out) } else { Role::Input }
             }
             _ => Role::Idle,
         }

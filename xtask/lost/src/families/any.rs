@@ -19,10 +19,7 @@ impl Place {
     fn of(random: &mut Random) -> Self {
         Self {
             offset: random.cube() * random.pick(&[0.0, 0.0, 100.0]),
-            scale: match random.chance(0.25) {
-                true => 1.0,
-                false => random.log_between(1e-3, 1e5),
-            },
+            scale: if random.chance(0.25) { 1.0 } else { random.log_between(1e-3, 1e5) },
         }
     }
 

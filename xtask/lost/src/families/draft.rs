@@ -78,14 +78,12 @@ impl Draft {
     /// Adds a material that shines with probability one half, and mirrors with one quarter.
     pub fn any_material(&mut self) -> usize {
         let random = &mut self.random;
-        let highlight = match random.chance(0.5) {
-            true => (random.between(0.2, 1.0), random.log_between(2.0, 60.0)),
-            false => (0.0, 1.0),
+        let highlight = if random.chance(0.5) {
+            (random.between(0.2, 1.0), random.log_between(2.0, 60.0))
+        } else {
+            (0.0, 1.0)
         };
-        let mirror = match random.chance(0.25) {
-            true => random.between(0.1, 0.6),
-            false => 0.0,
-        };
+        let mirror = if random.chance(0.25) { random.between(0.1, 0.6) } else { 0.0 };
         self.material(highlight, mirror)
     }
 
@@ -211,11 +209,13 @@ impl Draft {
     /// Points a camera at `target` from this offset, with a field of view in degrees. One of five
     /// cameras is tilted to one side.
     pub fn camera(&mut self, target: Vector, offset: Vector, fov: f64) {
-        let up = match self.random.chance(0.2) {
-            true => self.random.across(offset.unit()),
+        let up = if self.random.chance(0.2) {
+            self.random.across(offset.unit())
+        } else if offset.unit().across(UP).length() < 1e-3 {
             // Not parallel to the view, even straight from above.
-            false if offset.unit().across(UP).length() < 1e-3 => Vector([0.0, 1.0, 0.0]),
-            false => UP,
+            Vector([0.0, 1.0, 0.0])
+        } else {
+            UP
         };
         self.look(target + offset, target, up, fov);
     }

@@ -28,9 +28,10 @@ pub fn thin(draft: &mut Draft) {
         let center = draft.random.point() * 1.5 + UP;
         let radius = draft.random.log_between(0.003, 0.05);
         let material = draft.any_material();
-        match draft.random.chance(0.75) {
-            true => draft.sphere(center, radius, material),
-            false => draft.any_disc(center, 4.0 * radius, material),
+        if draft.random.chance(0.75) {
+            draft.sphere(center, radius, material)
+        } else {
+            draft.any_disc(center, 4.0 * radius, material)
         }
     }
     draft.lights((1, 2), 12.0);

@@ -37,10 +37,7 @@ fn shown(displays: &[((u32, u32), Vec<u32>)]) -> Result<String, String> {
     let words = displays.iter().map(|((width, height), rows)| {
         let share = within8(Size::new(*width, *height), rows);
         let words = format!("{width}x{height}: {:.2} % within 8", 100.0 * share);
-        match share >= super::BAR {
-            true => Ok(words),
-            false => Err(words),
-        }
+        if share >= super::BAR { Ok(words) } else { Err(words) }
     });
     Ok(words.collect::<Result<Vec<_>, _>>()?.join(", "))
 }

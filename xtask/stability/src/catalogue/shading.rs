@@ -80,15 +80,12 @@ pub fn cases() -> Vec<Case> {
             "too small, and surfaces shade themselves; too large, and what touches comes apart",
             Setting::HERE.still_life().epsilon(epsilon),
         );
-        cases.push(match epsilon == 0.1 {
-            true => case.unlike_single_precision(
+        cases.push(if epsilon == 0.1 { case.unlike_single_precision(
                 "The red cylinder and the chalk sphere stand closer to each other than this epsilon: \
                  a ray that leaves the cylinder starts within the sphere, which hides the light from it. \
                  Fixed point tells shadows of spheres by the length of their tangents, which is for \
                  what starts outside of them.",
-            ),
-            false => case,
-        });
+            ) } else { case });
     }
     cases
 }

@@ -37,9 +37,10 @@ fn limit_of_lamps() -> Result<String, String> {
         counts.push(lamp.differing(&sun));
     }
     let words = format!("pixels that differ from the sun's, lamps 10 to 10^9 away: {counts:?}");
-    match counts.is_sorted_by(|near, far| near >= far) && counts.ends_with(&[0]) {
-        true => Ok(words),
-        false => Err(words),
+    if counts.is_sorted_by(|near, far| near >= far) && counts.ends_with(&[0]) {
+        Ok(words)
+    } else {
+        Err(words)
     }
 }
 
