@@ -165,6 +165,8 @@ macro_rules! any_hides {
         pub(crate) fn is_clear_way<W: World>(world: &W, eye: Point, stretch: &LitStretch) -> bool {
             let rays = Rays::new(ScaledPoint::at(eye), stretch.ends);
             let mut sight = Sight::new(&rays, stretch.bulge + stretch.slack);
+            // A ray that is shorter than a sphere's tangents may end inside of it, so lengths tell nothing.
+            sight.spread.most = i32::MAX;
             let parts = world.parts();
             let first = 0;
             $(

@@ -171,6 +171,9 @@ impl<'a, W: World> ScreenCulling<'a, W> {
         if !world.parts().has_bounded() {
             return Ok(());
         }
+        if W::NEEDS.planes && !stretch.is_before(world.parts().planes) {
+            return Err(None);
+        }
         match mirror {
             None if self.bounds.is_none() => Err(None),
             None => self.direct.keep::<W>(world, stretch),

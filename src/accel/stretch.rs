@@ -29,6 +29,21 @@ pub(crate) struct Stretch<'a> {
     pub(crate) mirror: Option<&'a PreparedPlane>,
 }
 
+impl Stretch<'_> {
+    /// Tests whether no plane hides a hollow surface between the ends. It lies behind the straight line between them, so a
+    /// plane that hides neither end may hide it.
+    #[inline(never)]
+    pub(super) fn is_before(&self, planes: &[PreparedPlane]) -> bool {
+        let Some(chord) = self.chord.as_ref().filter(|_| self.eye.is_none()) else {
+            return true;
+        };
+        let height = |plane: &PreparedPlane, end| (plane.height(end) >> 30).unsigned_abs();
+        let reach = u64::from(chord.bulge.unsigned_abs());
+        let mut planes = planes.iter();
+        planes.all(|plane| chord.ends.iter().all(|end| height(plane, *end) > reach))
+    }
+}
+
 /// The straight line between the points at both ends. All points between are close to it.
 pub(crate) struct Chord {
     /// Ball around all points.
