@@ -1,15 +1,16 @@
 //! The shading models: how the colour of a surface is found, and the shape of highlights.
 
+mod cosines;
+
 use core::marker::PhantomData;
+
+pub(crate) use cosines::Cosines;
 
 use super::smooth::{Glance, Samples, Turns, begins_sharply, may_begin, quarter, samples};
 use super::{Lit, Visibility, lit_color, strength_of};
 use crate::background::Beyond;
 use crate::color::{Color, halved};
-use crate::number::{
-    Brightness, Exponent, Unit, even_power, high_unsigned, narrowed, offset_modulo_2_32, power,
-    ratio, root_of_unit, scaled_by_unit, unsigned, whole_power,
-};
+use crate::number::{Brightness, Exponent, Unit, even_power, power, root_of_unit, whole_power};
 use crate::qualities::Quality;
 use crate::scene::access::SceneAccess;
 use crate::scene::{Shininess, Surface};
@@ -195,16 +196,6 @@ impl sealed::Shading for Normals {
     }
 }
 
-/// Cosines of the angles at a surface that a highlight depends on.
-pub(crate) struct Cosines {
-    /// Cosine between the normal and the direction to the light.
-    pub(super) light: Unit,
-    /// Cosine between the normal and the direction to the viewer.
-    pub(super) viewer: Unit,
-    /// Cosine between the directions to the light and to the viewer.
-    pub(super) between: Unit,
-}
-
 /// A highlight: the power of a cosine that says how near the viewer is to the mirrored light.
 pub(crate) trait Highlight {
     /// Whether shapes cast shadows in this shading.
@@ -232,7 +223,7 @@ pub(crate) trait Highlight {
 impl Highlight for BlinnPhong {
     #[inline(always)]
     fn highlight(cosines: &Cosines, shininess: Exponent, kind: Shininess) -> Unit {
-        let square = half_way_square(cosines);
+        let square = cosines.half_way_square();
         if kind <= Shininess::Even || shininess.is_even() {
             even_power(square, shininess)
         } else {
@@ -255,7 +246,7 @@ impl Highlight for Phong {
 
     #[inline(always)]
     fn highlight(cosines: &Cosines, shininess: Exponent, kind: Shininess) -> Unit {
-        let cosine = mirrored_cosine(cosines);
+        let cosine = cosines.mirrored();
         // If the mirrored light points away from the viewer, there is no highlight, not even for
         // shininess 0.
         if cosine == Unit::ZERO {
@@ -279,29 +270,6 @@ fn power_of(base: Unit, shininess: Exponent, kind: Shininess) -> Unit {
         Shininess::Real => power(base, shininess),
         _ => whole_power(base, shininess),
     }
-}
-
-/// Returns the squared cosine of the half-way vector: (h · n)² = ((n·l + n·v) / 2)² / ((1 + l·v) / 2).
-#[inline(always)]
-fn half_way_square(cosines: &Cosines) -> Unit {
-    let sum = unsigned(cosines.light.to_bits()) + unsigned(cosines.viewer.to_bits());
-    // Q30: (2 Q30)² / 4
-    let numerator = high_unsigned(sum, sum);
-    // 1 + l·v is 0 to 2, up to rounding in the last place. If rounding makes it negative, it becomes a
-    // large unsigned number here.
-    let denominator = offset_modulo_2_32(cosines.between.to_bits(), 1 << 30) >> 1;
-    if numerator >= denominator {
-        return Unit::ONE;
-    }
-    Unit::from_bits(ratio(numerator, denominator))
-}
-
-/// Returns the cosine between the mirrored light and the viewer: r · v = 2 (n·l) (n·v) - l·v, at least
-/// 0.
-fn mirrored_cosine(cosines: &Cosines) -> Unit {
-    let product = scaled_by_unit(cosines.light.to_bits(), cosines.viewer);
-    let cosine = 2 * i64::from(product) - i64::from(cosines.between.to_bits());
-    Unit::from_bits(narrowed(cosine.clamp(0, 1 << 30)))
 }
 
 #[cfg(test)]

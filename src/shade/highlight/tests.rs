@@ -30,7 +30,7 @@ fn half_way_cosine_is_the_one_of_the_half_way_vector() {
         let sum = [0, 1, 2].map(|axis| light[axis] + viewer[axis]);
         let length = dot(sum, sum).sqrt();
         let truth = sum[2] / length;
-        let square = half_way_square(&cosines);
+        let square = cosines.half_way_square();
         // A quotient is known to 2^-26 of its value and rounded to a last place. Let s = n·l + n·v,
         // known to two last places, and let L be the length of light + viewer, which is at least s.
         // Then s² / 4 is known to s + 1 last places and L² / 4 to 3/2. If light and viewer face each
@@ -53,7 +53,7 @@ fn mirrored_cosine_is_the_one_of_the_mirrored_light() {
     for (light, viewer, cosines) in angles(3) {
         let mirrored = [-light[0], -light[1], light[2]];
         let truth = dot(mirrored, viewer).max(0.0);
-        let found = mirrored_cosine(&cosines).to_num::<f64>();
+        let found = cosines.mirrored().to_num::<f64>();
         assert!(
             (found - truth).abs() <= 8.0 * 2f64.powi(-30),
             "{found}, not {truth}"
