@@ -115,11 +115,11 @@
 //!
 //! | profile | castle flash | castle instr/pixel | corner1 flash | corner1 instr/pixel |
 //! |---|--:|--:|--:|--:|
-//! | lto = true, codegen-units = 1 | 52532 | 1343 | 15332 | 220 |
-//! | Cargo's default release | 70092 | 1418 | 20316 | 255 |
-//! | lto = true, codegen-units = 1, opt-level = "s" | 50292 | 2364 | 16800 | 288 |
-//! | lto = true, codegen-units = 1, opt-level = "z" | 48012 | 3760 | 16744 | 470 |
-//! | Cargo's default dev (debug) | 601024 | 39347 | 554736 | 6220 |
+//! | lto = true, codegen-units = 1 | 52984 | 1344 | 15464 | 221 |
+//! | Cargo's default release | 70656 | 1420 | 20428 | 257 |
+//! | lto = true, codegen-units = 1, opt-level = "s" | 50724 | 2366 | 16952 | 290 |
+//! | lto = true, codegen-units = 1, opt-level = "z" | 48380 | 3763 | 16848 | 475 |
+//! | Cargo's default dev (debug) | 603576 | 39434 | 557288 | 6248 |
 //!
 //! Every profile draws the same picture. If flash is scarce, the quality [`Small`](quality::Small) saves
 //! more than an `opt-level`.

@@ -76,10 +76,10 @@ use crate::vector::Position;
 /// |---|---|--:|--:|--:|
 /// | m0 | castle | 3689 | 346504 | 103.5 % |
 /// | m0 | mirror1 | 2879 | 52120 | 104.2 % |
-/// | m0 | primitives | 2699 | 20710 | 110.4 % |
+/// | m0 | primitives | 2699 | 20710 | 110.2 % |
 /// | m3 | castle | 2240 | 75238 | 110.2 % |
 /// | m3 | mirror1 | 1660 | 11681 | 111.2 % |
-/// | m3 | primitives | 1547 | 5080 | 113.0 % |
+/// | m3 | primitives | 1547 | 5080 | 112.8 % |
 pub struct MovingScene<T: StaticScene>(Scene<T::Room>);
 
 impl<T: StaticScene> Clone for MovingScene<T> {
