@@ -47,11 +47,7 @@ const FRONT: ParetoFront = ParetoFront::new(&[
 /// `instructions` are those of a Cortex-M0+ and of a Cortex-M33.
 const fn point(reflections: u8, scale: u8, instructions: [u32; 2], psnr: u16) -> FrontPoint {
     let [m0, m33] = instructions;
-    let (prepare, instructions) = if cfg!(rp2040) {
-        (14_852, m0)
-    } else {
-        (4061, m33)
-    };
+    let (prepare, instructions) = if cfg!(rp2040) { (14_852, m0) } else { (4061, m33) };
     FrontPoint {
         prepare,
         instructions,
