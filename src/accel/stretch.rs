@@ -30,8 +30,8 @@ pub(crate) struct Stretch<'a> {
 }
 
 impl Stretch<'_> {
-    /// Tests whether no plane hides a hollow surface between the ends. It lies behind the straight line between them, so a
-    /// plane that hides neither end may hide it.
+    /// Tests whether no plane hides a hollow surface between the ends. Such a surface bulges away from the eye, so a plane
+    /// behind both ends may still cut through it between them.
     #[inline(never)]
     pub(super) fn is_before(&self, planes: &[PreparedPlane]) -> bool {
         let Some(chord) = self.chord.as_ref().filter(|_| self.eye.is_none()) else {

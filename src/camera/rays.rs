@@ -95,7 +95,7 @@ impl RayGenerator {
     /// Returns the direction of the ray through a point to the right of the centre of a pixel, and below it, in 64ths of a
     /// pixel.
     pub(crate) fn through(&self, [column, y]: [u32; 2], [right, down]: [i32; 2]) -> Direction {
-        // From the middle of the picture, in half pixels, 32 of which are 64ths of a pixel.
+        // Distances from the middle of the picture, in 64ths of a pixel.
         let [across, up] = [
             32 * (1 - signed(self.width) + 2 * signed(column)) + right,
             32 * (signed(self.height) - 1 - 2 * signed(y)) - down,
@@ -159,11 +159,11 @@ impl RayGenerator {
         }
     }
 
-    /// Returns the vector to the middle of a line at a distance below the centres of row `y`, in sixteenths of a
+    /// Returns the vector to the middle of a line at a distance below the centres of row `y`, in 64ths of a
     /// pixel, scaled as [`RowDirections`] says.
     #[inline(always)]
     fn middle(&self, y: u32, down: i32) -> [i64; 3] {
-        // In half pixels, 32 of which are 64ths of a pixel.
+        // In half pixels, each 32 64ths of a pixel.
         let up_from_middle = i64::from(self.height) - 1 - 2 * i64::from(y);
         [0, 1, 2].map(|axis| {
             let middle = self.ahead[axis] + self.up[axis] * up_from_middle;

@@ -210,7 +210,8 @@ pub(crate) trait Highlight {
     /// Returns the difference of the two unit vectors whose cosine is raised to a power, in Q4.28.
     fn deviation(glance: &Glance) -> Vector;
 
-    /// Returns the squared length of half the sum of two directions, if a highlight depends on the direction of that sum.
+    /// Returns the squared length of half the sum of the directions to light and viewer if the highlight depends on the
+    /// direction of that sum; otherwise 1.
     fn width(_: &Glance) -> Unit {
         Unit::ONE
     }

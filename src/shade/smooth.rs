@@ -36,7 +36,7 @@ impl Glance {
     }
 }
 
-/// How what a highlight depends on turns between two points.
+/// How much the normal and the directions to the light and to the eye turn between two points of a surface.
 pub struct Turns {
     /// Lengths of the changes of the normal and of the directions to the light and to the eye, Q2.30.
     pub(crate) normal: i32,

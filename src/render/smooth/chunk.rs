@@ -147,7 +147,7 @@ impl<'c> Chunk<'c> {
             } else {
                 enough(contrast, walker.tolerance())
             };
-            // The mean of the corners counts as one sample.
+            // What the corners tell by their areas has the weight of one sample.
             let mut mixture = Mixture::NONE;
             mixture.add(*color, 1);
             for at in places {

@@ -118,7 +118,7 @@ impl Line {
         ((line + 1) << 14) | (first / CHUNK) << 3 | flag
     }
 
-    /// Tests whether this is a line of the chunk that begins at column `first`, for a row of pixels that `is_divided` or not.
+    /// Tests whether this is the line that [`Line::begin`] makes it with these arguments.
     pub(super) fn is_of(&self, at: [u32; 2], is_divided: bool) -> bool {
         self.place & !(Self::FLAT | Self::ONE) == Self::place_of(at, is_divided)
     }
@@ -165,8 +165,8 @@ impl Line {
         self.place += lines << 14;
     }
 
-    /// Makes it a line of the chunk that begins at column `first`, whose sides no edge crosses, for a row of pixels that
-    /// `is_divided` or not.
+    /// Makes it a line of a chunk, whose sides no edge crosses, for a row of pixels that `is_divided` or not. `at` is the
+    /// number of the line and the chunk's first column.
     pub(super) fn begin(&mut self, at: [u32; 2], is_divided: bool) {
         self.place = Self::place_of(at, is_divided);
         self.sides = [Side::WHOLE; CHUNK as usize];

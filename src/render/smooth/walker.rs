@@ -33,8 +33,8 @@ impl<W: World, K: Shading, Q: Quality> Walker<'_, '_, W, K, Q> {
         1 + u32::from(self.is_divided)
     }
 
-    /// Returns the largest contrast that an edge may be off by, and that a sample may stand for, in 8-bit levels. In a row
-    /// of two parts each counts half.
+    /// Returns the largest allowed error of a row of pixels, or of one of its two parts, in 8-bit levels: the contrast of an
+    /// edge times the share of a side by which its place may be off, and the contrast of a pixel over the number of samples.
     pub(super) fn tolerance(&self) -> u32 {
         match Q::SMOOTHNESS {
             2 if self.is_divided => 16,
