@@ -5,9 +5,8 @@
 //! shadow test of a sphere then needs no root. The result differs from the plain test only where rounding decides, by a
 //! few steps of the grid: the ray runs from the light to the surface, not from the surface to the light.
 
-use super::World;
-use super::hierarchy;
 use super::light_table::light_set;
+use super::{World, hierarchy};
 use crate::light::PreparedLight;
 use crate::number::Length;
 use crate::qualities::Quality;

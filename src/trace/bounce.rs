@@ -4,12 +4,11 @@ use super::Tracer;
 use crate::accel::{Beside, Window, World, nearest_ahead};
 use crate::qualities::Quality;
 use crate::ray::{Ray, ScaledPoint, ScaledRay};
-use crate::scene::FEW;
 use crate::scene::access::ShapeId;
 use crate::scene::nearest::{Hit, NOWHERE, nearest_listed, nearest_of};
 use crate::scene::query::{located, nearest_hit_by};
 use crate::scene::shape_set::ShapeSet;
-use crate::scene::{Surface, planes};
+use crate::scene::{FEW, Surface, planes};
 use crate::shade::highlight::sealed::Shading;
 
 /// Where a path starts in a row of pixels.

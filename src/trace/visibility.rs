@@ -2,11 +2,10 @@
 
 use core::marker::PhantomData;
 
-use crate::accel::World;
-use crate::accel::hierarchy;
 use crate::accel::light_occluders::{self, LightOccluders};
 use crate::accel::light_table::light_set;
 use crate::accel::light_visibility::LightVisibility;
+use crate::accel::{World, hierarchy};
 use crate::light::PreparedLight;
 use crate::number::Length;
 use crate::qualities::Quality;

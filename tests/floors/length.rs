@@ -1,45 +1,15 @@
-//! Measures the lengths of files and functions without their tests. Never knows which length is
-//! allowed.
+//! Measures the lengths of files without their tests. Never knows which length is allowed.
 
-use std::{collections::BTreeSet, ops::RangeInclusive};
+use std::ops::RangeInclusive;
 
-use crate::source::{lines_of_code, tokens};
+use crate::source::tokens;
 
-/// Lengths of a file and its functions, without its tests.
-pub struct Lengths {
-    /// Number of lines of a file.
-    pub lines: usize,
-    /// Number of lines that are neither blank nor a comment.
-    pub code: usize,
-    /// The functions that have a body.
-    pub functions: Vec<Function>,
-}
-
-/// A function. `code` counts its lines from `fn` to the last brace that are neither blank nor a
-/// comment.
-pub struct Function {
-    pub line: usize,
-    pub name: String,
-    pub code: usize,
-}
-
-impl Lengths {
-    pub fn of(source: &str) -> Self {
-        let tokens = tokens(source);
-        let tests = tests(&tokens);
-        let is_test = |line: &usize| tests.iter().any(|it| it.contains(line));
-        let mut code = lines_of_code(source);
-        code.retain(|line| !is_test(line));
-        let mut functions = functions(&tokens, &code);
-        functions.retain(|function| !is_test(&function.line));
-        Self {
-            lines: (1..=source.lines().count())
-                .filter(|it| !is_test(it))
-                .count(),
-            code: code.len(),
-            functions,
-        }
-    }
+/// Returns the number of lines of a file without its tests.
+pub fn length(source: &str) -> usize {
+    let tests = tests(&tokens(source));
+    let is_test = |line: &usize| tests.iter().any(|it| it.contains(line));
+    let lines = 1..=source.lines().count();
+    lines.filter(|line| !is_test(line)).count()
 }
 
 /// Returns the names of the test-only modules that a file declares without a body.
@@ -75,39 +45,6 @@ fn declared_for_tests(tokens: &[(usize, &str)]) -> impl Iterator<Item = (usize, 
         let is_module = tokens.get(at).is_some_and(|it| it.1 == "mod");
         is_module.then(|| (start, at + 1, tokens[at + 2].1 == "{"))
     })
-}
-
-/// Returns the functions with a body. The lines of a nested function also count for the outer one.
-fn functions(tokens: &[(usize, &str)], code: &BTreeSet<usize>) -> Vec<Function> {
-    let starts = (0..tokens.len()).filter(|at| tokens[*at].1 == "fn");
-    starts
-        .filter_map(|start| {
-            let (line, (_, name)) = (tokens[start].0, tokens.get(start + 1)?);
-            let opening = opening(tokens, start + 2).filter(|_| *name != "(")?;
-            let end = tokens[closing(tokens, opening)].0;
-            Some(Function {
-                line,
-                name: (*name).to_owned(),
-                code: code.range(line..=end).count(),
-            })
-        })
-        .collect()
-}
-
-/// Returns the token of the brace that opens a function's body, or `None` if it has none.
-fn opening(tokens: &[(usize, &str)], from: usize) -> Option<usize> {
-    let mut depth = 0_usize;
-    for (at, (_, token)) in tokens.iter().enumerate().skip(from) {
-        match *token {
-            "(" | "[" => depth += 1,
-            ")" | "]" if depth == 0 => return None,
-            ")" | "]" => depth -= 1,
-            "{" if depth == 0 => return Some(at),
-            ";" if depth == 0 => return None,
-            _ => {}
-        }
-    }
-    None
 }
 
 /// Returns the token of the brace that closes an opening brace.

@@ -1,6 +1,5 @@
 //! Checks rules that the compiler does not check: a file names only its own floor and those below,
-//! only the top floor names embedded-graphics, the crate's root has few names, and no file or function
-//! is too long.
+//! only the top floor names embedded-graphics, the crate's root has few names, and no file is too long.
 
 mod face;
 mod length;

@@ -1,8 +1,6 @@
 //! Reads Rust source just well enough to find the modules that it names: words, paths and trees of
 //! paths. Never knows which names are allowed.
 
-use std::collections::BTreeSet;
-
 /// Returns the modules that a file names by paths that start with `crate`, `self` or `super`, with
 /// their lines.
 pub fn paths(module: &[String], source: &str) -> Vec<(usize, String)> {
@@ -106,14 +104,6 @@ pub fn tokens(source: &str) -> Vec<(usize, &str)> {
     let mut pieces = pieces(source);
     pieces.retain(|(_, piece)| !is_comment(piece) && !is_text(piece));
     pieces
-}
-
-/// Returns the lines that are neither blank nor a comment.
-pub fn lines_of_code(source: &str) -> BTreeSet<usize> {
-    let code = pieces(source).into_iter();
-    code.filter(|(_, piece)| !is_comment(piece))
-        .flat_map(|(line, piece)| line..=line + piece.matches('\n').count())
-        .collect()
 }
 
 /// Returns everything except white space, with its first line: words, symbols, strings, characters
