@@ -3,7 +3,7 @@
 
 use anyhow::{Context, Result, ensure};
 use command_line::json_line;
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 use super::figures::{self, Figures};
 use super::firmware::{self, RUN_LIMIT};
@@ -12,7 +12,7 @@ use crate::misuse::Misuse;
 use crate::print;
 
 /// One row. In JSON the keys are the names of the fields, after those of [`Figures`].
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct MovingFigures {
     /// Figures of a frame that is drawn after the move. The scene is on the stack.
     #[serde(flatten)]

@@ -1,7 +1,6 @@
 //! The kept figures of scenes in which a shape moves: `docs/measured/moving.jsonl`, and their table.
 
 use anyhow::Result;
-use serde::{Deserialize, Serialize};
 
 use super::Size;
 use super::cores::CORES;
@@ -17,56 +16,24 @@ const SCENES: [&str; 3] = ["castle", "mirror1", "primitives"];
 pub const CORE_NAMES: [&str; 2] = ["m0", "m3"];
 const SIZE: Size = Size::new(64, 64);
 
-/// One row of the file. In JSON the keys are the names of the fields.
-#[derive(Clone, Debug, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct Kept {
-    core: String,
-    scene: String,
-    move_instructions: u64,
-    prepare_instructions: u64,
-    instructions_per_pixel: f64,
-    constant_instructions_per_pixel: f64,
-    flash: u64,
-    constant_flash: u64,
-    stack: u64,
-}
-
-impl From<MovingFigures> for Kept {
-    fn from(figures: MovingFigures) -> Self {
-        let frame = figures.frame;
-        Self {
-            core: frame.core,
-            scene: frame.scene,
-            move_instructions: figures.move_instructions,
-            prepare_instructions: frame.prepare_instructions,
-            instructions_per_pixel: frame.instructions_per_pixel,
-            constant_instructions_per_pixel: figures.constant_instructions_per_pixel,
-            flash: frame.flash,
-            constant_flash: figures.constant_flash,
-            stack: frame.stack,
-        }
-    }
-}
-
 /// Measures the moving scenes again and writes their file of kept figures.
 pub fn renew() -> Result<()> {
     let mut rows = Vec::new();
     for core in CORES.iter().filter(|core| CORE_NAMES.contains(&core.name)) {
         for name in SCENES {
             let task = Task::new(core, Scene::BuiltIn(name), SIZE, Quality::FAST);
-            rows.push(Kept::from(measure(&task)?));
+            rows.push(measure(&task)?);
         }
     }
     kept::write_lines(FILE, &rows)
 }
 
-pub fn read() -> Result<Vec<Kept>> {
+pub fn read() -> Result<Vec<MovingFigures>> {
     kept::read(FILE, "measure --all")
 }
 
 /// Formats the kept figures as a table of docs/boards.md.
-pub fn table(rows: &[Kept]) -> String {
+pub fn table(rows: &[MovingFigures]) -> String {
     const HEAD: [&str; 8] = [
         "core",
         "scene",
@@ -78,16 +45,17 @@ pub fn table(rows: &[Kept]) -> String {
         "flash, moving",
     ];
     let rows = rows.iter().map(|row| {
-        let percent = 100.0 * row.flash as f64 / row.constant_flash as f64;
+        let frame = &row.frame;
+        let percent = 100.0 * frame.flash as f64 / row.constant_flash as f64;
         vec![
-            row.core.clone(),
-            row.scene.clone(),
+            frame.core.clone(),
+            frame.scene.clone(),
             row.move_instructions.to_string(),
-            row.prepare_instructions.to_string(),
+            frame.prepare_instructions.to_string(),
             format!("{:.0}", row.constant_instructions_per_pixel),
-            format!("{:.0}", row.instructions_per_pixel),
+            format!("{:.0}", frame.instructions_per_pixel),
             row.constant_flash.to_string(),
-            format!("{} ({percent:.1} %)", row.flash),
+            format!("{} ({percent:.1} %)", frame.flash),
         ]
     });
     markdown(2, &HEAD, rows)

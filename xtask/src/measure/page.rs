@@ -5,10 +5,11 @@ use reflet::scenes;
 use super::cores::{CORES, Core};
 use super::figures::Figures;
 use super::frames;
-use super::moving_record::{self, Kept};
+use super::moving::MovingFigures;
+use super::moving_record;
 use crate::table::{cell, filled, markdown, row};
 
-pub fn write(rows: &[Figures], moving: &[Kept], frames: &[frames::Kept]) -> String {
+pub fn write(rows: &[Figures], moving: &[MovingFigures], frames: &[frames::Kept]) -> String {
     let page = Page(rows);
     let longest = page.longest_preparation();
     let values = [

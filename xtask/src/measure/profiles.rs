@@ -9,7 +9,7 @@ use anyhow::{Context, Result, ensure};
 use serde::{Deserialize, Serialize};
 
 use super::build_profile::PROFILES;
-use super::{Core, Quality, Scene, Size, Task, count};
+use super::{Core, Figures, Quality, Scene, Size, Task, count};
 use crate::table::{markdown, row, with_table};
 use crate::{kept, root};
 
@@ -21,33 +21,24 @@ const SCENES: [&str; 2] = ["castle", "corner1"];
 /// Size of the pictures from which build profiles are measured: as in docs/boards.md.
 const SIZE: Size = Size::new(64, 64);
 
-/// One line: figures in a profile, each as in [`Figures`](super::Figures). In JSON the keys are the names of
-/// the fields.
+/// One line: figures in a profile. In JSON the keys are the names of the fields.
 #[derive(Clone, Debug, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
 pub struct Row {
     pub profile: String,
-    pub core: String,
-    pub scene: String,
-    pub size: String,
-    pub reflections: u8,
-    pub quality: String,
-    pub instructions_per_pixel: f64,
-    pub flash: u64,
-    pub stack: u64,
-    pub hash: String,
+    #[serde(flatten)]
+    pub figures: Figures,
 }
 
 /// Measures every profile again and writes all that is made of the figures.
 pub fn renew() -> Result<()> {
     let mut rows = Vec::new();
     for task in tasks() {
-        let row = Row::of(&task)?;
+        let (profile, figures) = (task.profile.name.to_owned(), count(&task)?);
         println!(
-            "{:<46} {:<8} {:>10.1} instructions a pixel, {:>7} bytes of flash",
-            row.profile, row.scene, row.instructions_per_pixel, row.flash
+            "{profile:<46} {:<8} {:>10.1} instructions a pixel, {:>7} bytes of flash",
+            figures.scene, figures.instructions_per_pixel, figures.flash
         );
-        rows.push(row);
+        rows.push(Row { profile, figures });
     }
     ensure!(draw_the_same(&rows), "profiles draw different pictures");
     kept::write_lines(FILE, &rows)?;
@@ -93,24 +84,6 @@ fn file(name: &str) -> PathBuf {
     root().join(name)
 }
 
-impl Row {
-    fn of(task: &Task) -> Result<Self> {
-        let figures = count(task)?;
-        Ok(Self {
-            profile: task.profile.name.to_owned(),
-            core: figures.core,
-            scene: figures.scene,
-            size: figures.size,
-            reflections: figures.reflections,
-            quality: figures.quality,
-            instructions_per_pixel: figures.instructions_per_pixel,
-            flash: figures.flash,
-            stack: figures.stack,
-            hash: figures.hash,
-        })
-    }
-}
-
 /// Whether each scene has one picture in all profiles.
 fn draw_the_same(rows: &[Row]) -> bool {
     let first = &rows[..SCENES.len()];
@@ -118,21 +91,21 @@ fn draw_the_same(rows: &[Row]) -> bool {
     profiles.all(|rows| {
         rows.iter()
             .zip(first)
-            .all(|(row, first)| row.hash == first.hash)
+            .all(|(row, first)| row.figures.hash == first.figures.hash)
     })
 }
 
 /// Returns the table of src/lib.rs: flash and instructions a pixel of each scene.
 fn short(rows: &[Row]) -> String {
-    let cells = |row: &Row| [row.flash.to_string(), whole(row.instructions_per_pixel)];
+    let cells = |it: &Figures| [it.flash.to_string(), whole(it.instructions_per_pixel)];
     table(rows, ["flash", "instr/pixel"], cells)
 }
 
 /// Returns the table of docs/sizes.md, which also has the stack.
 pub fn long(rows: &[Row]) -> String {
-    let cells = |row: &Row| {
-        let instructions = whole(row.instructions_per_pixel);
-        [row.flash.to_string(), instructions, row.stack.to_string()]
+    let cells = |it: &Figures| {
+        let instructions = whole(it.instructions_per_pixel);
+        [it.flash.to_string(), instructions, it.stack.to_string()]
     };
     table(rows, ["flash", "instr/pixel", "stack"], cells)
 }
@@ -141,12 +114,17 @@ pub fn long(rows: &[Row]) -> String {
 fn table<const N: usize>(
     rows: &[Row],
     names: [&str; N],
-    cells: impl Fn(&Row) -> [String; N],
+    cells: impl Fn(&Figures) -> [String; N],
 ) -> String {
     let columns = SCENES.map(|scene| names.map(|name| format!("{scene} {name}")));
     let head = row("profile", columns.into_iter().flatten());
     let lines = rows.chunks(SCENES.len());
-    let lines = lines.map(|scenes| row(&scenes[0].profile, scenes.iter().flat_map(&cells)));
+    let lines = lines.map(|scenes| {
+        row(
+            &scenes[0].profile,
+            scenes.iter().flat_map(|it| cells(&it.figures)),
+        )
+    });
     markdown(1, &head, lines)
 }
 
@@ -156,25 +134,21 @@ fn whole(number: f64) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::super::words;
     use super::*;
 
-    fn rows(flash: u64) -> Vec<Row> {
-        let row = |profile: &str, scene: &str, instructions_per_pixel| Row {
-            profile: profile.to_owned(),
-            core: "m3".to_owned(),
-            scene: scene.to_owned(),
-            size: words(SIZE),
-            reflections: 4,
-            quality: "fast".to_owned(),
-            instructions_per_pixel,
-            flash,
-            stack: 8,
-            hash: scene.to_owned(),
-        };
-        let names = ["one", "other"].into_iter().zip([1.0, 2.5]);
-        let rows = names.flat_map(|(name, times)| SCENES.map(|it| row(name, it, 100.0 * times)));
-        rows.collect()
+    /// Returns the kept rows of two profiles, with other figures.
+    fn rows() -> Vec<Row> {
+        let mut rows = read().unwrap();
+        rows.truncate(2 * SCENES.len());
+        for (row, (profile, instructions)) in rows
+            .iter_mut()
+            .zip([("one", 100.0); 2].into_iter().chain([("other", 250.0); 2]))
+        {
+            row.profile = profile.to_owned();
+            let figures = &mut row.figures;
+            (figures.instructions_per_pixel, figures.flash, figures.stack) = (instructions, 7, 8);
+        }
+        rows
     }
 
     #[test]
@@ -185,9 +159,9 @@ mod tests {
 | one | 7 | 100 | 7 | 100 |
 | other | 7 | 250 | 7 | 250 |
 ";
-        assert_eq!(short(&rows(7)), expected);
+        assert_eq!(short(&rows()), expected);
         let line = "| other | 7 | 250 | 8 | 7 | 250 | 8 |";
-        assert!(long(&rows(7)).contains(line));
+        assert!(long(&rows()).contains(line));
     }
 
     #[test]
@@ -200,9 +174,9 @@ mod tests {
 
     #[test]
     fn profile_that_draws_another_picture_is_noticed() {
-        let mut rows = rows(7);
+        let mut rows = rows();
         assert!(draw_the_same(&rows));
-        rows[3].hash.clear();
+        rows[3].figures.hash.clear();
         assert!(!draw_the_same(&rows));
     }
 }
