@@ -36,6 +36,11 @@ impl Presses {
         self.pins.is_empty() && self.held.is_none()
     }
 
+    /// Presses no key before a pause has passed from this time on, in microseconds.
+    pub fn wait(&mut self, time: u64) {
+        self.next = time + HELD;
+    }
+
     /// Presses and releases keys at a time in microseconds. Returns whether a key was pressed.
     pub fn advance(&mut self, chip: &mut dyn Chip, time: u64) -> bool {
         if time < self.next || self.are_finished() {

@@ -170,6 +170,10 @@ impl<C: Core> Machine<C> {
     /// Presses keys, reads prints, and captures a complete picture.
     fn look(&mut self, pause: u64) {
         let time = self.runners[0].time / self.system.microsecond;
+        // Nobody presses a key of a board that shows nothing, and its firmware may not listen yet.
+        if !self.system.wires.is_lit() {
+            self.presses.wait(time);
+        }
         if self.presses.advance(&mut *self.system.chip, time) {
             self.rows = 0;
             self.complete = None;

@@ -138,6 +138,14 @@ fn both_cores_of_a_pico_draw_the_castle_and_follow_the_keys() {
 }
 
 #[test]
+fn key_that_is_pressed_first_of_all_counts() {
+    let script = Script::default().rows(1).picture(&[Key::Select]);
+    let run = PICO.board().run(PICO.firmware(), &script).unwrap();
+    let expected = simulated::<ShadingLights>(&ShadingLights::CAMERA);
+    assert_eq!(run.pictures[0].pixels[..SIDE], expected[..SIDE]);
+}
+
+#[test]
 fn one_core_of_a_pico_draws_the_castle() {
     const ROWS: usize = 4;
     let script = Script::default().with_one_core().rows(ROWS).picture(&[]);
