@@ -16,14 +16,14 @@ use mipidsi::models::ST7789;
 use mipidsi::options::{ColorInversion, Orientation, Rotation};
 
 use crate::screen::Screen;
-use chip::Timer;
-use chip::hal::clocks::{Clock, init_clocks_and_plls};
+use chip::hal::clocks::Clock;
 use chip::hal::dma::DMAExt;
 pub use chip::hal::entry;
 use chip::hal::gpio::{DynPinId, FunctionSioInput, FunctionSpi, Pin, Pins, PullUp};
 use chip::hal::pac::{PPB, PSM, Peripherals};
 use chip::hal::sio::SioFifo;
 use chip::hal::{Sio, Spi, Watchdog};
+use chip::{Timer, init_clocks_and_plls};
 
 /// Frequency of the crystal of both boards, in Hz.
 const CRYSTAL: u32 = 12_000_000;
@@ -49,6 +49,8 @@ pub struct Board {
 /// again.
 pub fn switch_on() -> Board {
     let mut chip = Peripherals::take().expect("the board is switched on once");
+    #[cfg(rp2040)]
+    chip::raise_voltage(chip.VREG_AND_CHIP_RESET);
     let clocks = init_clocks_and_plls(
         CRYSTAL,
         chip.XOSC,

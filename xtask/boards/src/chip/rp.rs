@@ -1,6 +1,7 @@
 //! The peripherals that RP2040 and RP2350 have in common. Their tables tell the addresses.
 
 pub mod bus_time;
+mod clock;
 mod dma;
 mod edges;
 mod fifo;
@@ -204,6 +205,9 @@ impl Chip for Rp {
         let new = [value, old ^ value, old | value, old & !value][way as usize];
         self.registers.set(address, new);
         match kind {
+            Kind::Clocks if offset + 8 == self.layout.selected[1] && new & 1 == 1 => {
+                clock::check(&self.registers, self.layout).map(|()| Effect::None)
+            }
             Kind::Power => Ok(self.switch(address, old, new)),
             Kind::Pins => {
                 self.edges.clear(offset, value);

@@ -5,10 +5,12 @@ use crate::registers::{Block, Gate, block, register, registers};
 
 const RESETS: u32 = 0x4000_c000;
 const CLOCKS: u32 = 0x4000_8000;
+const PLL: u32 = 0x4002_8000;
 const PSM: u32 = 0x4001_0000;
 const PINS: u32 = 0x4001_4000;
 const PADS: u32 = 0x4001_c000;
 const WATCHDOG: u32 = 0x4005_8000;
+const VOLTAGE: u32 = 0x4006_4000;
 const SPI: [u32; 2] = [0x4003_c000, 0x4004_0000];
 
 const fn gate(bit: u32) -> Gate {
@@ -19,9 +21,10 @@ const BLOCKS: &[Block<Kind>] = &[
     block("RESETS", Kind::Resets, RESETS).with(&[register(0, 0x01ff_ffff), registers(4, 2)]),
     block("CLOCKS", Kind::Clocks, CLOCKS).with(&[registers(0x30, 21)]),
     block("XOSC", Kind::Crystal, 0x4002_4000).with(&[registers(0, 4)]),
-    pll("PLL_SYS", 0x4002_8000).behind(gate(12)),
+    pll("PLL_SYS", PLL).behind(gate(12)),
     pll("PLL_USB", 0x4002_c000).behind(gate(13)),
     block("PSM", Kind::Power, PSM).with(&[registers(0, 4)]),
+    block("VREG", Kind::Plain, VOLTAGE).with(&[register(0, 0xb1)]),
     block("WATCHDOG", Kind::Plain, WATCHDOG).with(&[registers(0, 12)]),
     block("TIMER", Kind::Timer, 0x4005_4000)
         .with(&[registers(0, 17)])
@@ -66,5 +69,8 @@ pub const RP2040: Layout = Layout {
         busy: 1 << 24,
         requests: [16, 18],
     },
-    clock: 125_000_000,
+    pll: PLL,
+    // VSEL is 1.15 V.
+    voltage: Some((VOLTAGE, 12)),
+    clock: 200_000_000,
 };

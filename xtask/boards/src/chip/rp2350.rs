@@ -5,6 +5,7 @@ use crate::registers::{Block, Gate, block, register, registers};
 
 const RESETS: u32 = 0x4002_0000;
 const CLOCKS: u32 = 0x4001_0000;
+const PLL: u32 = 0x4005_0000;
 const PSM: u32 = 0x4001_8000;
 const PINS: u32 = 0x4002_8000;
 const PADS: u32 = 0x4003_8000;
@@ -19,7 +20,7 @@ const BLOCKS: &[Block<Kind>] = &[
     block("RESETS", Kind::Resets, RESETS).with(&[register(0, 0x1fff_ffff), registers(4, 2)]),
     block("CLOCKS", Kind::Clocks, CLOCKS).with(&[registers(0x30, 24)]),
     block("XOSC", Kind::Crystal, 0x4004_8000).with(&[registers(0, 4)]),
-    pll("PLL_SYS", 0x4005_0000).behind(gate(14)),
+    pll("PLL_SYS", PLL).behind(gate(14)),
     pll("PLL_USB", 0x4005_8000).behind(gate(15)),
     block("PSM", Kind::Power, PSM).with(&[registers(0, 4)]),
     block("WATCHDOG", Kind::Plain, 0x400d_8000).with(&[registers(0, 11)]),
@@ -72,5 +73,7 @@ pub const RP2350: Layout = Layout {
         busy: 1 << 26,
         requests: [24, 26],
     },
+    pll: PLL,
+    voltage: None,
     clock: 150_000_000,
 };

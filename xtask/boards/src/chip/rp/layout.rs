@@ -67,6 +67,11 @@ pub struct Layout {
     /// Register and bit that let the timer count.
     pub tick: (u32, u32),
     pub dma: Control,
-    /// Frequency of the cores in Hz.
+    /// First register of the cores' PLL.
+    pub pll: u32,
+    /// Register of the core voltage, and the least VSEL at which the cores may run at `clock`, if that is more
+    /// than after a reset.
+    pub voltage: Option<(u32, u32)>,
+    /// Frequency of the cores in Hz, as the examples set it.
     pub clock: u64,
 }
