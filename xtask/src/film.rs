@@ -57,22 +57,7 @@ fn small(picture: &Picture) -> Vec<u8> {
 
 #[cfg(test)]
 mod tests {
-    use gif::{DecodeOptions, Repeat};
-
     use super::*;
-
-    #[test]
-    fn film_has_all_frames_and_repeats() {
-        let side = SIDE / SCALE;
-        let frames = [[200, 10, 0], [0, 10, 200]].map(|color| color.repeat(side * side));
-        let bytes = palette::encoded(&frames, [side as u16; 2], 13).unwrap();
-        let mut film = DecodeOptions::new().read_info(&bytes[..]).unwrap();
-        let mut delays = vec![];
-        while let Some(frame) = film.read_next_frame().unwrap() {
-            delays.push(frame.delay);
-        }
-        assert_eq!((film.repeat(), delays), (Repeat::Infinite, vec![13, 13]));
-    }
 
     #[test]
     fn picture_of_a_film_has_every_other_pixel() {

@@ -1,5 +1,8 @@
 //! Connects the parts of the board to pins, and switches them on.
 
+#[path = "bus.rs"]
+mod bus;
+
 use core::fmt::Debug;
 
 use cortex_m::singleton;
@@ -10,12 +13,14 @@ use mipidsi::Builder;
 use mipidsi::interface::SpiInterface;
 use mipidsi::models::ST7789;
 use mipidsi::options::{ColorInversion, Orientation, Rotation};
-use stm32f4xx_hal::gpio::{Input, PA0, PA6};
+use stm32f4xx_hal::gpio::{Input, PA0};
 use stm32f4xx_hal::pac::Peripherals;
 use stm32f4xx_hal::prelude::*;
 use stm32f4xx_hal::rcc::Config;
 use stm32f4xx_hal::spi::{Mode, Phase, Polarity, Spi};
 use stm32f4xx_hal::timer::SysDelay;
+
+use bus::Bus;
 
 /// Clock of the core in MHz.
 pub const CORE_MHZ: u32 = 96;
@@ -49,8 +54,8 @@ pub fn switch_on() -> Board<impl DrawTarget<Color = Rgb565, Error: Debug>> {
         polarity: Polarity::IdleLow,
         phase: Phase::CaptureOnFirstTransition,
     };
-    let pins = (Some(a.pa5), None::<PA6>, Some(a.pa7));
-    let bus = Spi::new(chip.SPI1, pins, mode, 48.MHz(), &mut clocks);
+    let pins = (Some(a.pa5), Some(a.pa7));
+    let bus = Bus(Spi::new_bidi(chip.SPI1, pins, mode, 48.MHz(), &mut clocks));
     let chip_select = a.pa4.into_push_pull_output();
     let device = ExclusiveDevice::new_no_delay(bus, chip_select).expect("a pin can be set");
     let data_command = b.pb0.into_push_pull_output();

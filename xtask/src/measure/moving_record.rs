@@ -2,11 +2,8 @@
 
 use anyhow::Result;
 
-use super::Size;
-use super::cores::CORES;
 use super::moving::{MovingFigures, measure};
-use super::scene::Scene;
-use super::task::{Quality, Task};
+use super::{CORES, Quality, Scene, Size, Task};
 use crate::kept;
 use crate::table::markdown;
 

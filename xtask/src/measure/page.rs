@@ -3,10 +3,7 @@
 use reflet::scenes;
 
 use super::cores::{CORES, Core};
-use super::figures::Figures;
-use super::frames;
-use super::moving::MovingFigures;
-use super::moving_record;
+use super::{figures::Figures, frames, moving::MovingFigures, moving_record};
 use crate::table::{cell, filled, markdown, row};
 
 pub fn write(rows: &[Figures], moving: &[MovingFigures], frames: &[frames::Kept]) -> String {

@@ -6,11 +6,7 @@ use std::thread;
 use anyhow::Result;
 use reflet::scenes;
 
-use super::Size;
-use super::cores::{CORES, Core};
-use super::figures::Figures;
-use super::scene::Scene;
-use super::task::{Quality, Task};
+use super::{CORES, Core, Figures, Quality, Scene, Size, Task};
 use super::{frames, measure, moving_record, page};
 use crate::{kept, root};
 

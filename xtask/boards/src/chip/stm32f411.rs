@@ -28,9 +28,9 @@ const SPI_DATA: u32 = 0x0c;
 const OSCILLATORS: u32 = 0x0501_0001;
 
 /// Settings of the SPI that the panel needs: enabled as a master, 8 bits, high bit first, mode 0,
-/// without checksum, on two lines.
-const SPI_MASK: u32 = 0b1010_1000_1100_0111;
-const SPI_WANTED: u32 = 0b0000_0000_0100_0100;
+/// without checksum, on one line, on which it sends.
+const SPI_MASK: u32 = 0b1110_1000_1100_0111;
+const SPI_WANTED: u32 = 0b1100_0000_0100_0100;
 
 /// Alternate function of SPI1.
 const FUNCTION_SPI: u32 = 5;
@@ -58,12 +58,8 @@ impl Stm32f411 {
 
     fn status(&self, now: u64) -> u32 {
         let waiting = self.serial.waiting(now);
-        let received = self.serial.received(now);
         let flag = |is, bit: u32| u32::from(is) << bit;
-        flag(received > 0, 0)
-            | flag(waiting <= BUFFER, 1)
-            | flag(received > 1, 6)
-            | flag(waiting > 0, 7)
+        flag(waiting <= BUFFER, 1) | flag(waiting > 0, 7)
     }
 
     /// Levels of a port's pins, as its input register shows them.
@@ -127,10 +123,6 @@ impl Chip for Stm32f411 {
             (Kind::Power, 4) => raw | 1 << 14,
             (Kind::Port(port), INPUTS) => self.levels(port),
             (Kind::Spi, SPI_STATUS) => self.status(access.now),
-            (Kind::Spi, SPI_DATA) => {
-                self.serial.take(access.now);
-                0xff
-            }
             _ => raw,
         };
         Ok(match bit {
@@ -145,6 +137,8 @@ impl Chip for Stm32f411 {
         if (kind, offset) == (Kind::Spi, SPI_DATA) {
             return self.send(value as u8, access.now);
         }
+        let is_sending = matches!(kind, Kind::Port(_)) && self.is_sending(access.now);
+        require!(!is_sending, "a pin is set while the SPI still sends");
         let (mask, shift) = match bit {
             Some(bit) => (1, bit),
             None => (u32::MAX >> (32 - 8 * access.size), 8 * (access.address & 3)),
@@ -199,5 +193,26 @@ impl Pins for Stm32f411 {
 
     fn name(&self, pin: Pin) -> String {
         format!("P{}{}", char::from(b'A' + pin / 16), pin % 16)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn pin_that_is_set_while_a_byte_is_sent_is_found() {
+        let mut chip = Stm32f411::new();
+        chip.registers.set(RCC + 0x30, 1);
+        chip.serial.send(0, 16);
+        let (address, size, core) = (PORTS + SET_AND_CLEAR, 4, 0);
+        let at = |now| Access {
+            address,
+            size,
+            core,
+            now,
+        };
+        assert!(chip.write(at(15), 1).is_err());
+        assert!(chip.write(at(16), 1).is_ok());
     }
 }
