@@ -22,8 +22,8 @@ use stm32f4xx_hal::timer::SysDelay;
 
 use bus::Bus;
 
-/// Clock of the core in MHz.
-pub const CORE_MHZ: u32 = 96;
+/// Clock of the core in MHz: the most that the chip is made for.
+pub const CORE_MHZ: u32 = 100;
 
 /// Frequency of the board's crystal in MHz.
 const CRYSTAL_MHZ: u32 = 25;
@@ -55,7 +55,7 @@ pub fn switch_on() -> Board<impl DrawTarget<Color = Rgb565, Error: Debug>> {
         phase: Phase::CaptureOnFirstTransition,
     };
     let pins = (Some(a.pa5), Some(a.pa7));
-    let bus = Bus(Spi::new_bidi(chip.SPI1, pins, mode, 48.MHz(), &mut clocks));
+    let bus = Bus(Spi::new_bidi(chip.SPI1, pins, mode, 50.MHz(), &mut clocks));
     let chip_select = a.pa4.into_push_pull_output();
     let device = ExclusiveDevice::new_no_delay(bus, chip_select).expect("a pin can be set");
     let data_command = b.pb0.into_push_pull_output();

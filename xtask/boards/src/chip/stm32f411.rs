@@ -11,7 +11,7 @@ use crate::wires::{Pin, Pins, Role, Sent};
 use table::{BLOCKS, Kind, PORT_SIZE, PORTS, RCC, SPI};
 
 /// Frequency of the core in Hz, as examples/blackpill sets it.
-pub const CLOCK: u64 = 96_000_000;
+pub const CLOCK: u64 = 100_000_000;
 
 const MODES: u32 = 0x00;
 const INPUTS: u32 = 0x10;

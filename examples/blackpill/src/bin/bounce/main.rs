@@ -25,8 +25,8 @@ use crate::motion::{Bounce, Motion, areas};
 const SIDE: u32 = 240;
 
 /// Time of a frame in milliseconds while something moves, and the part of it in which it is sent.
-const FRAME: i32 = 95;
-const SENDING: i32 = 32;
+const FRAME: i32 = 91;
+const SENDING: i32 = 31;
 
 /// Instructions in the time of tracing. One takes 1.6 cycles.
 const BUDGET: u64 = 1000 * CORE_MHZ as u64 * (FRAME - SENDING) as u64 * 5 / 8;
