@@ -172,8 +172,8 @@
 #![no_std]
 #![forbid(unsafe_code)]
 #![deny(missing_docs)]
-// Overflow checks do not detect an `as` that loses bits or the sign. The functions of `number::narrow`
-// check this.
+// Overflow checks do not detect an `as` that loses bits or the sign: the functions of `number::narrow` do. The last one
+// limits the length of functions, by the number in clippy.toml.
 #![cfg_attr(
     not(test),
     deny(

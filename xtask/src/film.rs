@@ -54,24 +54,3 @@ fn small(picture: &Picture) -> Vec<u8> {
         .flat_map(|pixel| rgb(*pixel))
         .collect()
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn picture_of_a_film_has_every_other_pixel() {
-        let mut pixels = vec![0; SIDE * SIDE];
-        pixels[2 * SIDE + 4] = 31;
-        let picture = Picture {
-            pixels,
-            cycles: 0,
-            instructions: 0,
-            bus: Default::default(),
-        };
-        let small = small(&picture);
-        let place = 3 * (SIDE / SCALE + 2);
-        assert_eq!(small.len(), 3 * (SIDE / SCALE) * (SIDE / SCALE));
-        assert_eq!(small[place..place + 3], [0, 0, 255]);
-    }
-}

@@ -58,7 +58,7 @@ pub static PICO: Owned = Owned {
     core: "m0",
     cores: 2,
     sending: 32.0,
-    frame: 37,
+    frame: 35,
     throws: Key::Right,
     has_dma: true,
     board: Board::PICO,

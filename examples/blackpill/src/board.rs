@@ -13,7 +13,7 @@ use mipidsi::Builder;
 use mipidsi::interface::SpiInterface;
 use mipidsi::models::ST7789;
 use mipidsi::options::{ColorInversion, Orientation, Rotation};
-use stm32f4xx_hal::gpio::{Input, PA0};
+use stm32f4xx_hal::gpio::{Input, PA0, Speed};
 use stm32f4xx_hal::pac::Peripherals;
 use stm32f4xx_hal::prelude::*;
 use stm32f4xx_hal::rcc::Config;
@@ -44,6 +44,9 @@ pub fn switch_on() -> Board<impl DrawTarget<Color = Rgb565, Error: Debug>> {
     let mut core = cortex_m::Peripherals::take().expect("the board is switched on once");
     core.DCB.enable_trace();
     core.DWT.enable_cycle_counter();
+    // The core voltage for more than 84 MHz, while the PLL is still off.
+    chip.RCC.apb1enr().modify(|_, it| it.pwren().enabled());
+    chip.PWR.cr().modify(|_, it| it.vos().scale1());
     let clocks = Config::hse(CRYSTAL_MHZ.MHz()).sysclk(CORE_MHZ.MHz());
     let mut clocks = chip.RCC.freeze(clocks);
     let mut delay = core.SYST.delay(&clocks.clocks);
@@ -54,7 +57,11 @@ pub fn switch_on() -> Board<impl DrawTarget<Color = Rgb565, Error: Debug>> {
         polarity: Polarity::IdleLow,
         phase: Phase::CaptureOnFirstTransition,
     };
-    let pins = (Some(a.pa5), Some(a.pa7));
+    let fast = Speed::VeryHigh;
+    let pins = (
+        Some(a.pa5.into_alternate().speed(fast)),
+        Some(a.pa7.into_alternate().speed(fast)),
+    );
     let bus = Bus(Spi::new_bidi(chip.SPI1, pins, mode, 50.MHz(), &mut clocks));
     let chip_select = a.pa4.into_push_pull_output();
     let device = ExclusiveDevice::new_no_delay(bus, chip_select).expect("a pin can be set");

@@ -1,11 +1,12 @@
-//! The bus to the panel. It only sends, so that a byte can follow the last one at once: the SPI of the HAL waits for
-//! each to come back.
+//! The SPI bus to the panel, on one line: it only sends. On two lines, the HAL waits after each byte until one is
+//! received.
 
 use stm32f4xx_hal::hal::spi::{ErrorType, SpiBus};
 use stm32f4xx_hal::pac::SPI1;
 use stm32f4xx_hal::spi::{Error, Spi};
 
-/// An SPI on one line.
+const ONLY_SENDS: &str = "the bus only sends";
+
 pub struct Bus(pub Spi<SPI1, true>);
 
 impl ErrorType for Bus {
@@ -13,22 +14,23 @@ impl ErrorType for Bus {
 }
 
 impl SpiBus for Bus {
-    fn read(&mut self, words: &mut [u8]) -> Result<(), Error> {
-        self.0.read(words)
+    fn read(&mut self, _: &mut [u8]) -> Result<(), Error> {
+        unreachable!("{ONLY_SENDS}")
     }
 
     fn write(&mut self, words: &[u8]) -> Result<(), Error> {
         self.0.write(words)
     }
 
-    fn transfer(&mut self, read: &mut [u8], write: &[u8]) -> Result<(), Error> {
-        self.0.transfer(read, write)
+    fn transfer(&mut self, _: &mut [u8], _: &[u8]) -> Result<(), Error> {
+        unreachable!("{ONLY_SENDS}")
     }
 
-    fn transfer_in_place(&mut self, words: &mut [u8]) -> Result<(), Error> {
-        self.0.transfer_in_place(words)
+    fn transfer_in_place(&mut self, _: &mut [u8]) -> Result<(), Error> {
+        unreachable!("{ONLY_SENDS}")
     }
 
+    /// Waits for the end of the last byte: the HAL's own function returns at once, and chip select would rise too early.
     fn flush(&mut self) -> Result<(), Error> {
         while !self.0.is_tx_empty() || self.0.is_busy() {}
         Ok(())

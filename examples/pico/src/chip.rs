@@ -36,8 +36,8 @@ static BOOT2_FIRMWARE: [u8; 256] = rp2040_boot2::BOOT_LOADER_W25Q080;
 #[unsafe(link_section = ".start_block")]
 static IMAGE_DEF: hal::block::ImageDef = hal::block::ImageDef::secure_exe();
 
-/// The PLL of an RP2040's cores at 200 MHz, for which the chip is certified at a core voltage of 1.15 V (data sheet,
-/// 2.15.3).
+/// The PLL of an RP2040's cores at 200 MHz, for which the chip is certified at a core voltage of 1.15 V (release
+/// notes of the Pico SDK 2.1.1).
 #[cfg(rp2040)]
 const PLL_SYS_200MHZ: PLLConfig = PLLConfig {
     vco_freq: HertzU32::MHz(1200),
@@ -46,12 +46,12 @@ const PLL_SYS_200MHZ: PLLConfig = PLLConfig {
     post_div2: 1,
 };
 
-/// Raises the core voltage to 1.15 V, and waits for a millisecond.
+/// Raises the core voltage to 1.15 V, and waits for at least a millisecond.
 #[cfg(rp2040)]
 pub fn raise_voltage(mut regulator: VREG_AND_CHIP_RESET) {
     set_voltage(&mut regulator, VSEL_A::VOLTAGE1_15);
-    // After a reset, the cores run at 12 MHz at most.
-    cortex_m::asm::delay(12_000);
+    // As many cycles as a millisecond has at 200 MHz. The clock is slower, unless a debugger has left the last one.
+    cortex_m::asm::delay(200_000);
 }
 
 /// Starts the clocks as the function of this name in `rp2040-hal` does, but with the cores at 200 MHz.

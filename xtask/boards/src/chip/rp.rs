@@ -206,7 +206,7 @@ impl Chip for Rp {
         self.registers.set(address, new);
         match kind {
             Kind::Clocks if offset + 8 == self.layout.selected[1] && new & 1 == 1 => {
-                clock::check(&self.registers, self.layout).map(|()| Effect::None)
+                clock::check(&self.registers, self.layout, new).map(|()| Effect::None)
             }
             Kind::Power => Ok(self.switch(address, old, new)),
             Kind::Pins => {

@@ -8,12 +8,16 @@ use crate::memory::Memory;
 use crate::registers::{Place, Registers};
 use crate::serial::Serial;
 use crate::wires::{Pin, Pins, Role, Sent};
-use table::{BLOCKS, Kind, PORT_SIZE, PORTS, RCC, SPI};
+use table::{BLOCKS, Kind, PORT_SIZE, PORTS, POWER, RCC, SPI};
 
 /// Frequency of the core in Hz, as examples/blackpill sets it.
 pub const CLOCK: u64 = 100_000_000;
 
+/// Frequency of the board's crystal in Hz.
+const CRYSTAL: u64 = 25_000_000;
+
 const MODES: u32 = 0x00;
+const SPEEDS: u32 = 0x08;
 const INPUTS: u32 = 0x10;
 const OUTPUTS: u32 = 0x14;
 const SET_AND_CLEAR: u32 = 0x18;
@@ -73,6 +77,18 @@ impl Stm32f411 {
             _ => self.inputs[usize::from(port)] >> bit & 1 == 1,
         };
         u32::from(is_high) << bit
+    }
+
+    /// Tests that the PLL, from which the core begins to run, gives the frequency that the emulator counts in, and that the
+    /// core voltage is high enough for it.
+    fn check_clock(&self) -> Result<(), Fault> {
+        let pll = u64::from(self.registers.get(RCC + 4));
+        let divider = (pll & 63) * 2 * ((pll >> 16 & 3) + 1);
+        let clock = CRYSTAL * (pll >> 6 & 0x1ff) / divider.max(1);
+        require!(clock == CLOCK, "the PLL gives {clock} Hz, not {CLOCK} Hz");
+        let scale = self.registers.get(POWER) >> 14 & 3;
+        require!(scale == 3, "{clock} Hz need the voltage of scale 1");
+        Ok(())
     }
 
     fn send(&mut self, byte: u8, now: u64) -> Result<Effect, Fault> {
@@ -137,8 +153,6 @@ impl Chip for Stm32f411 {
         if (kind, offset) == (Kind::Spi, SPI_DATA) {
             return self.send(value as u8, access.now);
         }
-        let is_sending = matches!(kind, Kind::Port(_)) && self.is_sending(access.now);
-        require!(!is_sending, "a pin is set while the SPI still sends");
         let (mask, shift) = match bit {
             Some(bit) => (1, bit),
             None => (u32::MAX >> (32 - 8 * access.size), 8 * (access.address & 3)),
@@ -153,6 +167,9 @@ impl Chip for Stm32f411 {
                     .set(outputs, old & !(value >> 16) | value & 0xffff);
             }
             _ => _ = self.registers.set(address, new),
+        }
+        if (kind, offset) == (Kind::Clocks, 8) && new & 3 == 2 {
+            self.check_clock()?;
         }
         Ok(match kind {
             Kind::Port(_) => Effect::Pins,
@@ -179,10 +196,12 @@ impl Pins for Stm32f411 {
         let (port, bit) = (u32::from(pin / 16), u32::from(pin % 16));
         let base = PORTS + port * PORT_SIZE;
         let functions = self.registers.get(base + FUNCTIONS + bit / 8 * 4);
+        // A slower pin does not follow the SPI.
+        let is_fast = self.registers.get(base + SPEEDS) >> (2 * bit) & 3 == 3;
         match self.registers.get(base + MODES) >> (2 * bit) & 3 {
             0 => Role::Input,
             1 => Role::Output(self.registers.get(base + OUTPUTS) >> bit & 1 == 1),
-            2 if functions >> (bit % 8 * 4) & 15 == FUNCTION_SPI => match (port, bit) {
+            2 if is_fast && functions >> (bit % 8 * 4) & 15 == FUNCTION_SPI => match (port, bit) {
                 (0, 5) | (1, 3) => Role::Clock { unit: 1 },
                 (0, 7) | (1, 5) => Role::Data { unit: 1 },
                 _ => Role::Idle,
@@ -193,26 +212,5 @@ impl Pins for Stm32f411 {
 
     fn name(&self, pin: Pin) -> String {
         format!("P{}{}", char::from(b'A' + pin / 16), pin % 16)
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn pin_that_is_set_while_a_byte_is_sent_is_found() {
-        let mut chip = Stm32f411::new();
-        chip.registers.set(RCC + 0x30, 1);
-        chip.serial.send(0, 16);
-        let (address, size, core) = (PORTS + SET_AND_CLEAR, 4, 0);
-        let at = |now| Access {
-            address,
-            size,
-            core,
-            now,
-        };
-        assert!(chip.write(at(15), 1).is_err());
-        assert!(chip.write(at(16), 1).is_ok());
     }
 }

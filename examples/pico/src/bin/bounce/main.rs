@@ -28,13 +28,13 @@ use crate::motion::Motion;
 use crate::view::View;
 
 /// Time of a frame in milliseconds while something moves.
-const FRAME: i32 = if cfg!(rp2040) { 37 } else { 28 };
+const FRAME: i32 = if cfg!(rp2040) { 35 } else { 28 };
 
 /// Clock of the cores in kHz.
 const CLOCK: u64 = if cfg!(rp2040) { 200_000 } else { 150_000 };
 
-/// Instructions of both cores in that time. One takes 1.6 cycles.
-const BUDGET: u64 = 2 * CLOCK * FRAME as u64 * 5 / 8;
+/// Instructions of both cores in that time. One takes 1.5 cycles.
+const BUDGET: u64 = 2 * CLOCK * FRAME as u64 * 2 / 3;
 
 /// Settings for the scene on either core at 240x240, as `cargo run --release --package report` in the
 /// repository measures them: at most 2 x 2 pixels are one, and at least one reflection is followed.

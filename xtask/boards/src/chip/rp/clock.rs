@@ -7,8 +7,13 @@ use crate::registers::Registers;
 /// Frequency of the crystal in MHz.
 const CRYSTAL: u32 = 12;
 
-/// Tests that the cores, which begin to run from their PLL, have the frequency that the emulator counts in.
-pub fn check(registers: &Registers<Kind>, layout: &Layout) -> Result<(), Fault> {
+/// Bits of CLK_SYS_CTRL that select the source: 1 is the PLL of the cores.
+const SOURCE: u32 = 0xe1;
+
+/// Tests that the cores, which begin to run from their PLL, have the frequency that the emulator counts in. `control` is
+/// the CLK_SYS_CTRL of the cores.
+pub fn check(registers: &Registers<Kind>, layout: &Layout, control: u32) -> Result<(), Fault> {
+    require!(control & SOURCE == 1, "the cores do not run from their PLL");
     let [before, _, factor, after] = [0, 4, 8, 12].map(|it| registers.get(layout.pll + it));
     let divider = (before & 63) * (after >> 16 & 7) * (after >> 12 & 7);
     let [clock, expected] = [
@@ -39,7 +44,7 @@ mod tests {
             settings.iter().for_each(|(register, value)| {
                 registers.set(*register, *value);
             });
-            check(&registers, &RP2040).map_err(|fault| fault.to_string())
+            check(&registers, &RP2040, 1).map_err(|fault| fault.to_string())
         };
         let pll = RP2040.pll;
         let wrong = "the PLL gives 125 MHz, and the emulator counts in 200 MHz";

@@ -4,6 +4,8 @@ use crate::registers::{Block, Gate, block, register, registers};
 
 /// First address of the clocks' registers.
 pub const RCC: u32 = 0x4002_3800;
+/// First address of the registers of the core voltage.
+pub const POWER: u32 = 0x4000_7000;
 /// First address of SPI1's registers.
 pub const SPI: u32 = 0x4001_3000;
 /// First address of the ports' registers.
@@ -50,8 +52,8 @@ pub const BLOCKS: &[Block<Kind>] = &[
         registers(0x80, 4),
     ]),
     block("FLASH", Kind::Plain, 0x4002_3c00).with(&[registers(0, 6)]),
-    block("PWR", Kind::Power, 0x4000_7000)
-        .with(&[registers(0, 2)])
+    block("PWR", Kind::Power, POWER)
+        .with(&[register(0, 0x8000), register(4, 0)])
         .behind(gate(0x40, 28)),
     port("GPIOA", 0).with(&[
         register(0, 0xa800_0000),
