@@ -150,7 +150,7 @@ mod tests {
     use super::*;
 
     const MOST_CODE: usize = 19_294;
-    const MOST_OUTSIDE: usize = 37_026;
+    const MOST_OUTSIDE: usize = 37_021;
 
     /// Most packages that a newcomer's first command compiles.
     const MOST_PACKAGES: usize = 62;

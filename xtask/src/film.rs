@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use anyhow::{Context, Error, Result};
-use boards::{Picture, SIDE, Script};
+use boards::{SIDE, Script};
 use command_line::{OutputFile, shown};
 
 use crate::misuse::Misuse;
@@ -38,7 +38,7 @@ pub fn run(board: &Owned, path: &Path) -> Result<()> {
     let run = board.board.run(&firmware, &script)?;
     let step = SHOWN.div_ceil(board.frame);
     let pictures = run.pictures.iter().step_by(step as usize);
-    let frames: Vec<_> = pictures.map(small).collect();
+    let frames: Vec<_> = pictures.map(|it| small(&it.pixels)).collect();
     let delay = u16::try_from(step * board.frame / 10)?;
     let side = u16::try_from(SIDE / SCALE).context("a panel is small")?;
     let bytes = palette::encoded(&frames, [side; 2], delay)?;
@@ -48,9 +48,23 @@ pub fn run(board: &Owned, path: &Path) -> Result<()> {
 }
 
 /// Returns every other pixel of every other row of a picture, in RGB8.
-fn small(picture: &Picture) -> Vec<u8> {
-    let rows = picture.pixels.chunks_exact(SIDE).step_by(SCALE);
+fn small(pixels: &[u16]) -> Vec<u8> {
+    let rows = pixels.chunks_exact(SIDE).step_by(SCALE);
     rows.flat_map(|row| row.iter().step_by(SCALE))
         .flat_map(|pixel| rgb(*pixel))
         .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn picture_of_a_film_has_every_other_pixel() {
+        let mut pixels = vec![0; SIDE * SIDE];
+        pixels[2 * SIDE + 4] = 31;
+        let small = small(&pixels);
+        assert_eq!(small.len(), 3 * (SIDE / SCALE) * (SIDE / SCALE));
+        assert_eq!(small[3 * (SIDE / SCALE + 2)..][..3], [0, 0, 255]);
+    }
 }

@@ -5,8 +5,7 @@ use stm32f4xx_hal::hal::spi::{ErrorType, SpiBus};
 use stm32f4xx_hal::pac::SPI1;
 use stm32f4xx_hal::spi::{Error, Spi};
 
-const ONLY_SENDS: &str = "the bus only sends";
-
+/// All that would receive panics: the panel is never asked.
 pub struct Bus(pub Spi<SPI1, true>);
 
 impl ErrorType for Bus {
@@ -15,7 +14,7 @@ impl ErrorType for Bus {
 
 impl SpiBus for Bus {
     fn read(&mut self, _: &mut [u8]) -> Result<(), Error> {
-        unreachable!("{ONLY_SENDS}")
+        unreachable!()
     }
 
     fn write(&mut self, words: &[u8]) -> Result<(), Error> {
@@ -23,11 +22,11 @@ impl SpiBus for Bus {
     }
 
     fn transfer(&mut self, _: &mut [u8], _: &[u8]) -> Result<(), Error> {
-        unreachable!("{ONLY_SENDS}")
+        unreachable!()
     }
 
     fn transfer_in_place(&mut self, _: &mut [u8]) -> Result<(), Error> {
-        unreachable!("{ONLY_SENDS}")
+        unreachable!()
     }
 
     /// Waits for the end of the last byte: the HAL's own function returns at once, and chip select would rise too early.

@@ -33,8 +33,9 @@ impl<W: World, K: Shading, Q: Quality> Walker<'_, '_, W, K, Q> {
         1 + u32::from(self.is_divided)
     }
 
-    /// Returns the largest allowed error of a row of pixels, or of one of its two parts, in 8-bit levels: the contrast of an
-    /// edge times the share of a side by which its place may be off, and the contrast of a pixel over the number of samples.
+    /// Returns by how many 8-bit levels the colour of a pixel may be off in a row, or in one of its two parts. An edge adds
+    /// its contrast times how far it may lie from its true place, in sides of a pixel. A sample adds the pixel's contrast
+    /// over the number of samples.
     pub(super) fn tolerance(&self) -> u32 {
         match Q::SMOOTHNESS {
             2 if self.is_divided => 16,

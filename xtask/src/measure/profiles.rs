@@ -21,7 +21,7 @@ const SCENES: [&str; 2] = ["castle", "corner1"];
 /// Size of the pictures from which build profiles are measured: as in docs/boards.md.
 const SIZE: Size = Size::new(64, 64);
 
-/// One line: figures in a profile. In JSON the keys are the names of the fields.
+/// One line of the file: what a scene takes in a build profile. In JSON the keys are the names of the fields.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct Row {
     pub profile: String,
@@ -119,12 +119,8 @@ fn table<const N: usize>(
     let columns = SCENES.map(|scene| names.map(|name| format!("{scene} {name}")));
     let head = row("profile", columns.into_iter().flatten());
     let lines = rows.chunks(SCENES.len());
-    let lines = lines.map(|scenes| {
-        row(
-            &scenes[0].profile,
-            scenes.iter().flat_map(|it| cells(&it.figures)),
-        )
-    });
+    let cells = |row: &Row| cells(&row.figures);
+    let lines = lines.map(|scenes| row(&scenes[0].profile, scenes.iter().flat_map(cells)));
     markdown(1, &head, lines)
 }
 
@@ -136,16 +132,13 @@ fn whole(number: f64) -> String {
 mod tests {
     use super::*;
 
-    /// Returns the kept rows of two profiles, with other figures.
+    /// Returns the rows of two profiles that do not exist, with figures that are easy to read.
     fn rows() -> Vec<Row> {
         let mut rows = read().unwrap();
         rows.truncate(2 * SCENES.len());
-        for (row, (profile, instructions)) in rows
-            .iter_mut()
-            .zip([("one", 100.0); 2].into_iter().chain([("other", 250.0); 2]))
-        {
-            row.profile = profile.to_owned();
-            let figures = &mut row.figures;
+        for (index, Row { profile, figures }) in rows.iter_mut().enumerate() {
+            let (name, instructions) = [("one", 100.0), ("other", 250.0)][index / SCENES.len()];
+            *profile = name.to_owned();
             (figures.instructions_per_pixel, figures.flash, figures.stack) = (instructions, 7, 8);
         }
         rows

@@ -205,6 +205,7 @@ impl Chip for Rp {
         let new = [value, old ^ value, old | value, old & !value][way as usize];
         self.registers.set(address, new);
         match kind {
+            // CLK_SYS_CTRL, two registers before its SELECTED.
             Kind::Clocks if offset + 8 == self.layout.selected[1] && new & 1 == 1 => {
                 clock::check(&self.registers, self.layout, new).map(|()| Effect::None)
             }

@@ -39,12 +39,8 @@ const FRONT: ParetoFront = ParetoFront::new(&[
     point(4, 1, 154, (7177, 2)),
 ]);
 
-const fn point(
-    reflections: u8,
-    scale: u8,
-    instructions: u32,
-    (psnr, largest): (u16, u8),
-) -> FrontPoint {
+const fn point(reflections: u8, scale: u8, instructions: u32, error: (u16, u8)) -> FrontPoint {
+    let (psnr, largest) = error;
     FrontPoint {
         prepare: 3425,
         instructions,

@@ -44,13 +44,10 @@ const FRONT: ParetoFront = ParetoFront::new(&[
     point(4, 1, [436, 153], (7177, 2)),
 ]);
 
-/// `instructions` are those of a Cortex-M0+ and of a Cortex-M33.
-const fn point(
-    reflections: u8,
-    scale: u8,
-    instructions: [u32; 2],
-    (psnr, largest): (u16, u8),
-) -> FrontPoint {
+/// `instructions` are those of a Cortex-M0+ and of a Cortex-M33, `error` is the PSNR in hundredths of a decibel and the
+/// largest error in levels of 255.
+const fn point(reflections: u8, scale: u8, instructions: [u32; 2], error: (u16, u8)) -> FrontPoint {
+    let (psnr, largest) = error;
     let [m0, m33] = instructions;
     let (prepare, instructions) = if cfg!(rp2040) { (13_693, m0) } else { (3425, m33) };
     FrontPoint {

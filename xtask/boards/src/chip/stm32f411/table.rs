@@ -4,7 +4,7 @@ use crate::registers::{Block, Gate, block, register, registers};
 
 /// First address of the clocks' registers.
 pub const RCC: u32 = 0x4002_3800;
-/// First address of the registers of the core voltage.
+/// First address of the registers of PWR, which sets the core voltage.
 pub const POWER: u32 = 0x4000_7000;
 /// First address of SPI1's registers.
 pub const SPI: u32 = 0x4001_3000;
