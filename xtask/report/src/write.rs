@@ -29,7 +29,7 @@ pub fn all(arguments: &Arguments, scenes: &[Measured]) -> Result<()> {
     let mut sections = Vec::new();
     for scene in scenes {
         let file = format!("{}-psnr.svg", file_name(&scene.name));
-        write(&file, &plot::scene(scene))?;
+        write(&file, &plot::scene(scene)?)?;
         let front = front(&scene.points);
         sections.push(Section { scene, file, front });
     }
