@@ -5,14 +5,12 @@ mod bus;
 
 use core::fmt::Debug;
 
-use cortex_m::singleton;
 use embedded_graphics::draw_target::DrawTarget;
 use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
-use embedded_hal_bus::spi::ExclusiveDevice;
 use mipidsi::Builder;
-use mipidsi::interface::SpiInterface;
 use mipidsi::models::ST7789;
 use mipidsi::options::{ColorInversion, Orientation, Rotation};
+use stm32f4xx_hal::dma::StreamsTuple;
 use stm32f4xx_hal::gpio::{Input, PA0, Speed};
 use stm32f4xx_hal::pac::Peripherals;
 use stm32f4xx_hal::prelude::*;
@@ -62,12 +60,12 @@ pub fn switch_on() -> Board<impl DrawTarget<Color = Rgb565, Error: Debug>> {
         Some(a.pa5.into_alternate().speed(fast)),
         Some(a.pa7.into_alternate().speed(fast)),
     );
-    let bus = Bus(Spi::new_bidi(chip.SPI1, pins, mode, 50.MHz(), &mut clocks));
+    let (spi, _) = Spi::new_bidi(chip.SPI1, pins, mode, 50.MHz(), &mut clocks).release();
+    let dma = StreamsTuple::new(chip.DMA2, &mut clocks).3;
     let chip_select = a.pa4.into_push_pull_output();
-    let device = ExclusiveDevice::new_no_delay(bus, chip_select).expect("a pin can be set");
     let data_command = b.pb0.into_push_pull_output();
-    let buffer = singleton!(: [u8; 512] = [0; 512]).expect("the board is switched on once");
-    let mut display = Builder::new(ST7789, SpiInterface::new(device, data_command, buffer))
+    let bus = Bus::new((dma, spi), (chip_select, data_command));
+    let mut display = Builder::new(ST7789, bus.expect("the board is switched on once"))
         .reset_pin(b.pb1.into_push_pull_output())
         .display_size(240, 240)
         .invert_colors(ColorInversion::Inverted)

@@ -29,7 +29,7 @@ mod system;
 mod wires;
 
 pub use board::{Board, ChipKind};
-pub use chip::rp::bus_time::BusTime;
+pub use chip::bus_time::BusTime;
 pub use execute::{Registers, execute};
 pub use fault::{Failure, Fault};
 pub use keys::Key;

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use rp2350_emu::threaded::CoreAtomics;
 
 use crate::board::{Board, ChipKind};
-use crate::chip::rp::bus_time::BusTime;
+use crate::chip::bus_time::BusTime;
 use crate::core::Core;
 use crate::elf::Firmware;
 use crate::fault::{Failure, Fault, fault};

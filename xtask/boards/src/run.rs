@@ -1,6 +1,6 @@
 //! What a run is asked for, and what it gives.
 
-use crate::chip::rp::bus_time::BusTime;
+use crate::chip::bus_time::BusTime;
 use crate::keys::Key;
 use crate::panel::SIDE;
 

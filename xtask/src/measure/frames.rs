@@ -55,7 +55,13 @@ pub fn renew() -> Result<()> {
 
 /// Returns the times in which the boards send a frame, in words.
 pub fn sending() -> String {
-    let times = ALL.map(|board| format!("{:.0} ms on the {}", board.sending, board.title));
+    let times = ALL.map(|board| {
+        let [sending, hidden] = [board.sending, board.hidden];
+        format!(
+            "{sending:.0} ms on the {} (by DMA {hidden:.0} ms)",
+            board.title
+        )
+    });
     times.join(", ")
 }
 

@@ -56,8 +56,8 @@ pub struct Speed {
     pub tracing: f64,
     /// All pixels on their way to the display.
     pub sending: f64,
-    /// Whether a DMA sends rows while the next ones are traced.
-    pub has_dma: bool,
+    /// The part of it in which the next rows can be traced.
+    pub hidden: f64,
 }
 
 impl Board {
@@ -94,6 +94,12 @@ impl Board {
         }
     }
 
+    /// Returns the seconds of these in which the next rows can be traced.
+    fn hidden(&self, pixels: u64) -> f64 {
+        let share = self.board.map_or(0.0, |board| board.hidden / board.sending);
+        share * self.sending(pixels)
+    }
+
     /// Measures a task and estimates the time of its frame on this board.
     ///
     /// # Errors
@@ -111,7 +117,7 @@ impl Board {
         Ok(Speed {
             tracing: cycles / (1e6 * self.megahertz()),
             sending: self.sending(pixels(task.settings.size)),
-            has_dma: self.board.is_some_and(|board| board.has_dma),
+            hidden: self.hidden(pixels(task.settings.size)),
         })
     }
 
@@ -167,10 +173,6 @@ impl Board {
 
 impl Speed {
     pub fn frame(self) -> f64 {
-        if self.has_dma {
-            self.tracing.max(self.sending)
-        } else {
-            self.tracing + self.sending
-        }
+        self.sending - self.hidden + self.tracing.max(self.hidden)
     }
 }

@@ -50,5 +50,7 @@ fn time_of_sending_is_what_an_emulated_board_takes_for_an_empty_scene() {
         let run = owned.board.run(&firmware, &script).unwrap();
         let reported = 1e3 * reported(&run);
         assert!((reported - owned.sending).abs() < 0.5, "{reported}");
+        let bus = 1e3 * run.pictures[0].bus.sending as f64 / owned.board.clock() as f64;
+        assert!((bus - owned.hidden).abs() < 0.5, "{bus}");
     }
 }

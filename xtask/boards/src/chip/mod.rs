@@ -1,11 +1,12 @@
 //! What all chips have in common: registers, pins, and what an access brings about.
 
+pub mod bus_time;
 pub mod rp;
 pub mod rp2040;
 pub mod rp2350;
 pub mod stm32f411;
 
-use self::rp::bus_time::BusTime;
+use self::bus_time::BusTime;
 use crate::fault::Fault;
 use crate::memory::Memory;
 use crate::wires::{Pin, Pins, Sent};
@@ -43,10 +44,8 @@ pub trait Chip: Pins {
     fn is_sending(&self, now: u64) -> bool;
     /// Sets the level at an input from outside.
     fn set_input(&mut self, pin: Pin, level: bool);
-    /// Returns the time of the bus so far. Zero if the chip does not count it.
-    fn bus_time(&self) -> BusTime {
-        BusTime::default()
-    }
+    /// Returns the time of the bus so far.
+    fn bus_time(&self) -> BusTime;
     /// Lets what works beside the cores work until now. Returns the next byte that it sends.
     fn advance(&mut self, memory: &Memory, now: u64) -> Result<Option<Sent>, Fault>;
 }

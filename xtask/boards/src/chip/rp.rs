@@ -1,6 +1,5 @@
 //! The peripherals that RP2040 and RP2350 have in common. Their tables tell the addresses.
 
-pub mod bus_time;
 mod clock;
 mod dma;
 mod edges;
@@ -8,12 +7,12 @@ mod fifo;
 mod layout;
 mod spi;
 
+use crate::chip::bus_time::BusTime;
 use crate::chip::{Access, Chip, Effect};
 use crate::fault::{Fault, fault, require};
 use crate::memory::Memory;
 use crate::registers::{Place, Registers};
 use crate::wires::{Pin, Pins, Role, Sent};
-use bus_time::BusTime;
 pub use dma::Control;
 use dma::Dma;
 use edges::Edges;

@@ -1,7 +1,9 @@
 //! The peripherals of an STM32F411 that a firmware may use.
 
+mod dma;
 mod table;
 
+use crate::chip::bus_time::BusTime;
 use crate::chip::{Access, Chip, Effect};
 use crate::fault::{Fault, require};
 use crate::memory::Memory;
@@ -24,6 +26,7 @@ const SET_AND_CLEAR: u32 = 0x18;
 const FUNCTIONS: u32 = 0x20;
 
 const SPI_CONTROL: u32 = 0x00;
+const SPI_CONTROL_2: u32 = 0x04;
 const SPI_STATUS: u32 = 0x08;
 const SPI_DATA: u32 = 0x0c;
 
@@ -36,16 +39,22 @@ const OSCILLATORS: u32 = 0x0501_0001;
 const SPI_MASK: u32 = 0b1110_1000_1100_0111;
 const SPI_WANTED: u32 = 0b1100_0000_0100_0100;
 
+/// Bit of the second control register: the SPI requests bytes of the DMA.
+const TX_DMA_ENABLED: u32 = 1 << 1;
+
 /// Alternate function of SPI1.
 const FUNCTION_SPI: u32 = 5;
 
-/// Bytes that the SPI can hold: one in the shift register, one behind it.
+/// Bytes that the SPI can hold behind its shift register.
 const BUFFER: u64 = 1;
 
 /// An STM32F411 without its core.
 pub struct Stm32f411 {
     registers: Registers<Kind>,
     serial: Serial,
+    bus: BusTime,
+    /// Time up to which the DMA has worked.
+    advanced: u64,
     /// Levels from outside, for each port.
     inputs: [u32; 3],
 }
@@ -56,14 +65,27 @@ impl Stm32f411 {
         Self {
             registers: Registers::new(BLOCKS),
             serial: Serial::default(),
+            bus: BusTime::default(),
+            advanced: 0,
             inputs: [0xffff; 3],
         }
     }
 
     fn status(&self, now: u64) -> u32 {
-        let waiting = self.serial.waiting(now);
         let flag = |is, bit: u32| u32::from(is) << bit;
-        flag(waiting <= BUFFER, 1) | flag(waiting > 0, 7)
+        flag(self.has_room(now), 1) | flag(self.is_sending(now), 7)
+    }
+
+    /// Whether a byte fits into the buffer of the SPI.
+    fn has_room(&self, now: u64) -> bool {
+        self.serial.waiting(now) <= BUFFER
+    }
+
+    /// Notes that the core looks at a register, if it is one of the SPI or the DMA.
+    fn look(&mut self, kind: Kind, now: u64) {
+        if matches!(kind, Kind::Spi | Kind::Dma) {
+            self.bus.look(now, self.serial.end());
+        }
     }
 
     /// Levels of a port's pins, as its input register shows them.
@@ -91,26 +113,24 @@ impl Stm32f411 {
         Ok(())
     }
 
-    fn send(&mut self, byte: u8, now: u64) -> Result<Effect, Fault> {
+    /// Sends a byte that was there at a time.
+    fn send(&mut self, byte: u8, at: u64) -> Result<Sent, Fault> {
         let control = self.registers.get(SPI + SPI_CONTROL);
         require!(
             control & SPI_MASK == SPI_WANTED,
             "the SPI sends with the settings {control:#06x}"
         );
-        require!(
-            self.serial.waiting(now) <= BUFFER,
-            "the SPI's buffer is full"
-        );
         // The SPI's bus has the clock of the core.
         let prescaler = self.registers.get(RCC + 8) >> 13 & 7;
         require!(prescaler < 4, "the clock of APB2 is divided");
         let divider = 2 << (control >> 3 & 7);
-        self.serial.send(now, 8 * divider);
-        Ok(Effect::Sent(Sent {
+        self.serial.send(at, 8 * divider);
+        self.bus.sending += 8 * divider;
+        Ok(Sent {
             byte,
             unit: 1,
             clock: CLOCK / divider,
-        }))
+        })
     }
 }
 
@@ -131,6 +151,7 @@ impl Chip for Stm32f411 {
         let (address, bit) = plain(access.address);
         let Place { kind, offset } = self.registers.find(address)?;
         let raw = self.registers.get(address);
+        self.look(kind, access.now);
         let value = match (kind, offset) {
             (Kind::Clocks, 0) => raw | (raw & OSCILLATORS) << 1,
             // The clock that was asked for is in use.
@@ -150,8 +171,10 @@ impl Chip for Stm32f411 {
     fn write(&mut self, access: Access, value: u32) -> Result<Effect, Fault> {
         let (address, bit) = plain(access.address);
         let Place { kind, offset } = self.registers.find(address)?;
+        self.look(kind, access.now);
         if (kind, offset) == (Kind::Spi, SPI_DATA) {
-            return self.send(value as u8, access.now);
+            require!(self.has_room(access.now), "the SPI's buffer is full");
+            return self.send(value as u8, access.now).map(Effect::Sent);
         }
         let (mask, shift) = match bit {
             Some(bit) => (1, bit),
@@ -166,6 +189,7 @@ impl Chip for Stm32f411 {
                 self.registers
                     .set(outputs, old & !(value >> 16) | value & 0xffff);
             }
+            (Kind::Dma, _) => dma::write(&mut self.registers, address, new)?,
             _ => _ = self.registers.set(address, new),
         }
         if (kind, offset) == (Kind::Clocks, 8) && new & 3 == 2 {
@@ -186,7 +210,20 @@ impl Chip for Stm32f411 {
         *inputs = *inputs & !(1 << (pin % 16)) | u32::from(level) << (pin % 16);
     }
 
-    fn advance(&mut self, _: &Memory, _: u64) -> Result<Option<Sent>, Fault> {
+    fn bus_time(&self) -> BusTime {
+        self.bus
+    }
+
+    fn advance(&mut self, memory: &Memory, now: u64) -> Result<Option<Sent>, Fault> {
+        // The SPI requests a byte if it has room for one.
+        let requests = self.registers.get(SPI + SPI_CONTROL_2) & TX_DMA_ENABLED != 0;
+        if requests && self.has_room(now) {
+            if let Some(byte) = dma::next(&mut self.registers, memory)? {
+                // It got the byte as soon as it had room, and not only now.
+                return self.send(byte, self.advanced).map(Some);
+            }
+        }
+        self.advanced = now;
         Ok(None)
     }
 }
@@ -214,3 +251,6 @@ impl Pins for Stm32f411 {
         format!("P{}{}", char::from(b'A' + pin / 16), pin % 16)
     }
 }
+
+#[cfg(test)]
+mod tests;

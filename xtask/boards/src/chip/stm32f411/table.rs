@@ -8,6 +8,10 @@ pub const RCC: u32 = 0x4002_3800;
 pub const POWER: u32 = 0x4000_7000;
 /// First address of SPI1's registers.
 pub const SPI: u32 = 0x4001_3000;
+/// First address of the registers of DMA2.
+pub const DMA: u32 = 0x4002_6400;
+/// First address of the registers of its stream 3.
+pub const STREAM: u32 = DMA + 0x58;
 /// First address of the ports' registers.
 pub const PORTS: u32 = 0x4002_0000;
 /// Bytes from one port to the next.
@@ -21,6 +25,7 @@ pub enum Kind {
     Power,
     Port(u8),
     Spi,
+    Dma,
 }
 
 const fn gate(register: u32, bit: u32) -> Gate {
@@ -68,6 +73,13 @@ pub const BLOCKS: &[Block<Kind>] = &[
         registers(0x10, 6),
     ]),
     port("GPIOC", 2).with(&[registers(0, 10)]),
+    block("DMA2", Kind::Dma, DMA)
+        .with(&[
+            registers(0, 4),
+            registers(STREAM - DMA, 5),
+            register(STREAM - DMA + 0x14, 0x21),
+        ])
+        .behind(gate(0x30, 22)),
     block("SPI1", Kind::Spi, SPI)
         .with(&[registers(0, 9)])
         .behind(gate(0x44, 12)),

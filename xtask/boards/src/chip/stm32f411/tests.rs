@@ -1,0 +1,129 @@
+use super::table::{DMA, STREAM};
+use super::*;
+
+/// Enables the clocks of port A, DMA2, the power control and SPI1, as registers and values.
+const CLOCKS: [(u32, u32); 3] = [
+    (RCC + 0x30, 1 << 22 | 1),
+    (RCC + 0x40, 1 << 28),
+    (RCC + 0x44, 1 << 12),
+];
+
+/// The core at 100 MHz: the PLL, the voltage, and the clock of the core.
+const FAST: [(u32, u32); 3] = [(RCC + 4, 200 << 6 | 25), (POWER, 3 << 14), (RCC + 8, 2)];
+
+/// The SPI as the panel wants it, with requests to the DMA.
+const SPI_ON: [(u32, u32); 2] = [(SPI, SPI_WANTED), (SPI + 4, TX_DMA_ENABLED)];
+
+/// Three bytes of the RAM for the SPI.
+const THREE_BYTES: [(u32, u32); 4] = [
+    (STREAM + 4, 3),
+    (STREAM + 8, SPI + SPI_DATA),
+    (STREAM + 0xc, 0x2000_0000),
+    (STREAM, 3 << 25 | 1 << 10 | 1 << 6 | 1),
+];
+
+/// Writes registers one after another at a time. Returns the first fault in words.
+fn write(chip: &mut Stm32f411, now: u64, registers: &[(u32, u32)]) -> Result<(), String> {
+    registers.iter().try_for_each(|(address, value)| {
+        let (address, size, core) = (*address, 4, 0);
+        let access = Access {
+            address,
+            size,
+            core,
+            now,
+        };
+        let done = chip.write(access, *value);
+        done.map(drop).map_err(|fault| fault.to_string())
+    })
+}
+
+/// A chip whose clocks run, after these writes.
+fn chip(registers: &[&[(u32, u32)]]) -> (Stm32f411, Result<(), String>) {
+    let mut chip = Stm32f411::new();
+    let done = write(&mut chip, 0, &[&CLOCKS[..], &registers.concat()].concat());
+    (chip, done)
+}
+
+fn memory() -> Memory {
+    let mut memory = Memory::new((0x0800_0000, 16), (0x2000_0000, 16));
+    memory.write(0x2000_0000, 0x30_2010, 4).unwrap();
+    memory
+}
+
+#[test]
+fn wrong_clock_and_low_voltage_are_found() {
+    let with = |at: usize, wrong| {
+        let mut registers = FAST;
+        registers[at].1 = wrong;
+        chip(&[&registers]).1
+    };
+    assert_eq!(chip(&[&FAST]).1, Ok(()));
+    let slow = with(0, 192 << 6 | 25).unwrap_err();
+    assert_eq!(slow, "the PLL gives 96000000 Hz, not 100000000 Hz");
+    let low = with(1, 2 << 14).unwrap_err();
+    assert_eq!(low, "100000000 Hz need the voltage of scale 1");
+}
+
+#[test]
+fn slow_pin_does_not_follow_the_spi() {
+    let (mode, function) = ((PORTS, 2 << 10), (PORTS + FUNCTIONS, FUNCTION_SPI << 20));
+    let role = |speed: u32| {
+        chip(&[&[mode, function, (PORTS + SPEEDS, speed << 10)]])
+            .0
+            .role(5)
+    };
+    assert_eq!(role(3), Role::Clock { unit: 1 });
+    assert_eq!(role(2), Role::Idle);
+}
+
+#[test]
+fn dma_sends_bytes_one_after_another_as_the_spi_has_room() {
+    let (mut chip, done) = chip(&[&FAST, &SPI_ON, &THREE_BYTES]);
+    assert_eq!(done, Ok(()));
+    let memory = memory();
+    let mut next = |now| chip.advance(&memory, now).unwrap().map(|sent| sent.byte);
+    // A byte takes 16 cycles. One is on its way, and one waits.
+    let sent = [0, 0, 0, 15, 16, 16, 60].map(&mut next);
+    let none = None;
+    assert_eq!(
+        sent,
+        [Some(0x10), Some(0x20), none, none, Some(0x30), none, none]
+    );
+    assert_eq!(chip.registers.get(DMA), 1 << 27);
+}
+
+#[test]
+fn wrong_uses_of_the_dma_are_found() {
+    let with = |more: &[(u32, u32)]| chip(&[&FAST, &SPI_ON, &THREE_BYTES, more]).1.unwrap_err();
+    let changed = with(&[(STREAM + 0xc, 0)]);
+    assert_eq!(changed, "the DMA is changed while it works");
+    let stopped = |registers: &[(u32, u32)]| {
+        let started = THREE_BYTES[3];
+        let all = [&THREE_BYTES[..3], registers, &[started]].concat();
+        chip(&[&FAST, &SPI_ON, &all]).1.unwrap_err()
+    };
+    let elsewhere = stopped(&[(STREAM + 8, SPI)]);
+    assert_eq!(elsewhere, "the DMA sends to 0x40013000");
+    let nothing = stopped(&[(STREAM + 4, 0)]);
+    assert_eq!(nothing, "the DMA has nothing to send");
+    let [words, no_steps] = [1 << 11, 1 << 10].map(|bit| {
+        let mut registers = THREE_BYTES;
+        registers[3].1 ^= bit;
+        chip(&[&FAST, &SPI_ON, &registers]).1.unwrap_err()
+    });
+    assert_eq!(words, "the DMA does not send bytes one after another");
+    assert_eq!(no_steps, words);
+}
+
+#[test]
+fn flags_are_cleared_before_the_dma_starts_again() {
+    let (mut chip, _) = chip(&[&FAST, &SPI_ON, &THREE_BYTES]);
+    let memory = memory();
+    for now in [0, 16, 32] {
+        chip.advance(&memory, now).unwrap();
+    }
+    let again = write(&mut chip, 99, &THREE_BYTES).unwrap_err();
+    assert_eq!(again, "the DMA's flags are not cleared");
+    write(&mut chip, 99, &[(DMA + 8, 1 << 27)]).unwrap();
+    assert_eq!(write(&mut chip, 99, &THREE_BYTES), Ok(()));
+}
