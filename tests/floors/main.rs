@@ -1,9 +1,7 @@
 //! Checks rules that the compiler does not check: a file names only its own floor and those below,
-//! only the top floor names embedded-graphics, the crate's root has few names, and no file is too long.
+//! only the top floor names embedded-graphics, and the crate's root has few names.
 
 mod face;
-mod length;
-mod ratchet;
 mod source;
 
 use std::{

@@ -12,7 +12,7 @@ use crate::emulator::qemu::{Failure, Key, Qemu, Running};
 use crate::screenshot::Arguments;
 use crate::{enter_root, screenshot, toolchain};
 
-const TARGET: &str = "thumbv7m-none-eabi";
+const TARGET: &str = toolchain::M3;
 
 /// Time limit of one run. A picture takes a fraction of a second, and there are eleven scenes.
 const LIMIT: Duration = Duration::from_secs(60);

@@ -13,6 +13,7 @@ use anyhow::{Context, Result, ensure};
 use clap::{Args, builder::PossibleValuesParser};
 
 use crate::measure::{Weight, fingerprint, images, weigh};
+use crate::toolchain::{M0, M4F, M33, RV32IMAC, RV32IMC};
 use crate::{enter_root, root, table, toolchain};
 
 /// Copies examples out of the repository, builds the copies, and fails if one is not the firmware that
@@ -48,22 +49,12 @@ const fn example(
 }
 
 const EXAMPLES: [Example; 6] = [
-    example("pico", "pico", "thumbv6m-none-eabi", "pico"),
-    example("pico2", "pico", "thumbv8m.main-none-eabihf", "castle"),
-    example(
-        "blackpill",
-        "blackpill",
-        "thumbv7em-none-eabihf",
-        "blackpill",
-    ),
-    example(
-        "esp32c3",
-        "esp32c3",
-        "riscv32imc-unknown-none-elf",
-        "esp32c3",
-    ),
-    example("microbit", "small", "thumbv6m-none-eabi", "small"),
-    example("riscv", "small", "riscv32imac-unknown-none-elf", "small"),
+    example("pico", "pico", M0, "pico"),
+    example("pico2", "pico", M33, "castle"),
+    example("blackpill", "blackpill", M4F, "blackpill"),
+    example("esp32c3", "esp32c3", RV32IMC, "esp32c3"),
+    example("microbit", "small", M0, "small"),
+    example("riscv", "small", RV32IMAC, "small"),
 ];
 
 impl Example {

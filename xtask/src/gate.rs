@@ -19,7 +19,10 @@ use crate::{
     command::Program,
     measure::ledger,
     need,
-    toolchain::{self, BareMetal, OLDEST_RUST, TARGETS, has_oldest_rust, target_directory},
+    toolchain::{
+        self, BareMetal, M0, M3, M4F, M33, OLDEST_RUST, RV32IMAC, RV32IMC, TARGETS,
+        has_oldest_rust, target_directory,
+    },
 };
 
 /// Sets up, then runs the gate and stops after the first step that fails.
@@ -38,14 +41,13 @@ const LIMIT: Duration = Duration::from_secs(60 * 60);
 const LANES: usize = 3;
 
 /// Packages outside of the workspace. Each is built with its own flags or for its own target.
-const ALONE: [&str; 13] = [
+const ALONE: [&str; 12] = [
     "examples/blackpill",
     "examples/esp32c3",
     "examples/pico",
     "examples/small",
     "fuzz",
     "tests/schema",
-    "xtask/boards/refill",
     "xtask/faulty",
     "xtask/firmware",
     "xtask/no_panic",
@@ -303,22 +305,21 @@ fn boards() -> Vec<Step> {
         let name = format!("clippy, {package}, {target}");
         step(&name, program.args(warnings))
     };
-    let [m0, m3, m4, m33, rv32, rv32_without_atomics] = TARGETS;
     let board = ["--package", "reflet", "--example", "board"];
-    let clippy = cargo("clippy").args(["--release", "--target", m3]);
+    let clippy = cargo("clippy").args(["--release", "--target", M3]);
     let board = toolchain::alone(clippy, Path::new("")).args(board);
-    let name = format!("clippy, examples/board, {m3}");
+    let name = format!("clippy, examples/board, {M3}");
     vec![
         step(&name, board.args(warnings)),
-        alone("xtask/firmware", "--lib", m3),
-        alone("examples/small", "--bins", m0),
-        alone("xtask/firmware", "--lib", m0),
-        alone("examples/small", "--bins", rv32),
-        alone("xtask/firmware", "--lib", rv32),
-        alone("examples/blackpill", "--bins", m4),
-        alone("examples/esp32c3", "--bins", rv32_without_atomics),
-        alone("examples/pico", "--bins", m0),
-        alone("examples/pico", "--bins", m33),
+        alone("xtask/firmware", "--lib", M3),
+        alone("examples/small", "--bins", M0),
+        alone("xtask/firmware", "--lib", M0),
+        alone("examples/small", "--bins", RV32IMAC),
+        alone("xtask/firmware", "--lib", RV32IMAC),
+        alone("examples/blackpill", "--bins", M4F),
+        alone("examples/esp32c3", "--bins", RV32IMC),
+        alone("examples/pico", "--bins", M0),
+        alone("examples/pico", "--bins", M33),
     ]
 }
 

@@ -13,15 +13,16 @@ use serde_json::Value;
 
 use crate::{apt, command::Program, need, root};
 
-/// The targets that reflet is built for: Cortex-M0, M3, M4F and M7, M33, RV32IMAC and RV32IMC.
-pub const TARGETS: [&str; 6] = [
-    "thumbv6m-none-eabi",
-    "thumbv7m-none-eabi",
-    "thumbv7em-none-eabihf",
-    "thumbv8m.main-none-eabihf",
-    "riscv32imac-unknown-none-elf",
-    "riscv32imc-unknown-none-elf",
-];
+pub const M0: &str = "thumbv6m-none-eabi";
+pub const M3: &str = "thumbv7m-none-eabi";
+/// Cortex-M4F and M7.
+pub const M4F: &str = "thumbv7em-none-eabihf";
+pub const M33: &str = "thumbv8m.main-none-eabihf";
+pub const RV32IMAC: &str = "riscv32imac-unknown-none-elf";
+pub const RV32IMC: &str = "riscv32imc-unknown-none-elf";
+
+/// The targets that reflet is built for.
+pub const TARGETS: [&str; 6] = [M0, M3, M4F, M33, RV32IMAC, RV32IMC];
 
 pub const WASM: &str = "wasm32-unknown-unknown";
 
@@ -181,9 +182,7 @@ pub fn alone_directory() -> PathBuf {
 /// cargo builds in two folders at the same time.
 pub fn directory_for(target: &str) -> PathBuf {
     match target {
-        "thumbv6m-none-eabi" | "thumbv7em-none-eabihf" | "thumbv8m.main-none-eabihf" => {
-            target_directory().join("chips")
-        }
+        M0 | M4F | M33 => target_directory().join("chips"),
         _ => alone_directory(),
     }
 }

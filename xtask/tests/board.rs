@@ -110,7 +110,7 @@ fn command_saves_what_the_display_shows_over_the_file_that_is_named() {
 
 fn faulty(name: &str) -> PathBuf {
     let package = Path::new("xtask/faulty");
-    toolchain::build_alone("thumbv7m-none-eabi", package, &["--bin", name]).unwrap()
+    toolchain::build_alone(toolchain::M3, package, &["--bin", name]).unwrap()
 }
 
 fn machine() -> Qemu {
@@ -165,7 +165,7 @@ fn file_that_is_no_firmware_is_a_failure() {
 #[test]
 #[ignore = "long: compiles all that the board needs with other flags"]
 fn board_without_its_linker_script_is_not_linked() {
-    let target = "thumbv7m-none-eabi";
+    let target = toolchain::M3;
     let place = toolchain::alone_directory();
     let cargo = BareMetal::find().unwrap().cargo("build", &[target]);
     let cargo = cargo

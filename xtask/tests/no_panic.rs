@@ -7,9 +7,8 @@ use std::sync::{Mutex, PoisonError};
 
 use anyhow::Result;
 use object::{Object, ObjectSymbol};
-use xtask::{board, profile::names::Names, toolchain};
-
-const TARGET: &str = "thumbv7m-none-eabi";
+use xtask::toolchain::{self, M0, M3};
+use xtask::{board, profile::names::Names};
 
 /// Builds xtask/no_panic and returns the names of its soft-float routines.
 fn build(target: &str, features: &str) -> Result<Vec<String>> {
@@ -48,25 +47,25 @@ fn is_float(name: &str) -> bool {
 
 #[test]
 fn nothing_panics_and_nothing_needs_soft_float() {
-    assert!(build(TARGET, "").unwrap().is_empty());
+    assert!(build(M3, "").unwrap().is_empty());
 }
 
 #[test]
 #[ignore = "long: another core"]
 fn nothing_panics_and_nothing_needs_soft_float_on_a_small_core() {
-    assert!(build("thumbv6m-none-eabi", "").unwrap().is_empty());
+    assert!(build(M0, "").unwrap().is_empty());
 }
 
 #[test]
 fn panic_would_be_noticed() {
-    let refusal = format!("{:#}", build(TARGET, "panic").unwrap_err());
+    let refusal = format!("{:#}", build(M3, "panic").unwrap_err());
     let reason = "undefined symbol: a_panic_path_is_left";
     assert!(refusal.contains(reason), "{refusal}");
 }
 
 #[test]
 fn soft_float_would_be_noticed() {
-    let found = build(TARGET, "float").unwrap();
+    let found = build(M3, "float").unwrap();
     let is_product = |name: &&String| *name == "__aeabi_fmul";
     assert!(found.iter().any(|name| is_product(&name)), "{found:?}");
 }

@@ -9,7 +9,7 @@ use xtask::measure::{
     Core, Quality, Scene, Shading, Size, Task, count, weigh, weight, with_program,
 };
 use xtask::profile::names::Names;
-use xtask::{board, root, size};
+use xtask::{board, root, size, toolchain};
 
 mod common;
 
@@ -204,8 +204,8 @@ fn assert_have_not_grown(is_meant: impl Fn(&Task) -> bool + Sync) {
     };
     let grown = thread::scope(|scope| {
         let of_target = &of_target;
-        let threads = ["thumbv6m-none-eabi", "thumbv7m-none-eabi"]
-            .map(|target| scope.spawn(move || of_target(target)));
+        let threads =
+            [toolchain::M0, toolchain::M3].map(|target| scope.spawn(move || of_target(target)));
         threads.map(|thread| thread.join().unwrap()).concat()
     });
     assert!(

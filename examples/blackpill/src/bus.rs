@@ -66,15 +66,14 @@ impl Bus {
 
     /// Starts to send this many bytes of the block, after the one before is sent.
     fn send(&mut self, bytes: usize) {
-        let Some((dma, spi)) = self.wait() else {
-            return;
-        };
-        let block = Ref::map(self.blocks[0].borrow(), |block| &block[..bytes]);
-        let config = DmaConfig::default().memory_increment(true);
-        let mut transfer = Transfer::init_memory_to_peripheral(dma, spi, block, None, config);
-        transfer.start(|_| {});
-        self.state = Some(State::Sending(transfer));
-        self.blocks.swap(0, 1);
+        if let Some((dma, spi)) = self.wait() {
+            let block = Ref::map(self.blocks[0].borrow(), |block| &block[..bytes]);
+            let config = DmaConfig::default().memory_increment(true);
+            let mut transfer = Transfer::init_memory_to_peripheral(dma, spi, block, None, config);
+            transfer.start(|_| {});
+            self.state = Some(State::Sending(transfer));
+            self.blocks.swap(0, 1);
+        }
     }
 }
 

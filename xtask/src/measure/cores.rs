@@ -2,7 +2,7 @@
 
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 
-use crate::{cycles::Timing, emulator::qemu::Qemu};
+use crate::{cycles::Timing, emulator::qemu::Qemu, toolchain};
 
 #[derive(Debug, PartialEq, Eq)]
 pub struct Core {
@@ -31,42 +31,42 @@ pub const CORES: [Core; 6] = [
     Core {
         name: "m0",
         title: "Cortex-M0",
-        target: "thumbv6m-none-eabi",
+        target: toolchain::M0,
         timing: Some(Timing::M0Plus),
         machine: Machine::Arm("mps2-an385"),
     },
     Core {
         name: "m3",
         title: "Cortex-M3",
-        target: "thumbv7m-none-eabi",
+        target: toolchain::M3,
         timing: Some(Timing::M3),
         machine: Machine::Arm("mps2-an385"),
     },
     Core {
         name: "m4f",
         title: "Cortex-M4F",
-        target: "thumbv7em-none-eabihf",
+        target: toolchain::M4F,
         timing: Some(Timing::M4),
         machine: Machine::Arm("mps2-an386"),
     },
     Core {
         name: "m33",
         title: "Cortex-M33",
-        target: "thumbv8m.main-none-eabihf",
+        target: toolchain::M33,
         timing: Some(Timing::M33),
         machine: Machine::Arm("mps2-an505"),
     },
     Core {
         name: "m7",
         title: "Cortex-M7",
-        target: "thumbv7em-none-eabihf",
+        target: toolchain::M4F,
         timing: None,
         machine: Machine::Arm("mps2-an500"),
     },
     Core {
         name: "rv32",
         title: "RV32IMAC",
-        target: "riscv32imac-unknown-none-elf",
+        target: toolchain::RV32IMAC,
         timing: None,
         machine: Machine::Riscv,
     },

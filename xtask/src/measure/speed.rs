@@ -94,12 +94,6 @@ impl Board {
         }
     }
 
-    /// Returns the seconds of these in which the next rows can be traced.
-    fn hidden(&self, pixels: u64) -> f64 {
-        let share = self.board.map_or(0.0, |board| board.hidden / board.sending);
-        share * self.sending(pixels)
-    }
-
     /// Measures a task and estimates the time of its frame on this board.
     ///
     /// # Errors
@@ -114,10 +108,12 @@ impl Board {
             ))
         })?;
         let cycles = self.instructions(&outcome) as f64 * estimate.per_instruction();
+        let sending = self.sending(pixels(task.settings.size));
+        let hidden = self.board.map_or(0.0, |it| it.hidden / it.sending);
         Ok(Speed {
             tracing: cycles / (1e6 * self.megahertz()),
-            sending: self.sending(pixels(task.settings.size)),
-            hidden: self.hidden(pixels(task.settings.size)),
+            hidden: hidden * sending,
+            sending,
         })
     }
 

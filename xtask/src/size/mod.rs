@@ -17,7 +17,7 @@ use reflet::scenes::{BuiltIn, Visitor};
 use serde::{Deserialize, Serialize};
 
 use crate::measure::{Core, Quality, Scene, Size, Task, outcome, profiles, weigh, weight};
-use crate::{board, kept, print, root, table};
+use crate::{board, kept, print, root, table, toolchain};
 
 /// Weighs the firmware of every built-in scene and quality; without options it also writes
 /// docs/sizes.md and the budget that the tests hold the scenes to.
@@ -41,7 +41,7 @@ pub struct Arguments {
 const BUDGET: &str = "docs/measured/sizes.jsonl";
 
 /// Targets of the smallest chips, each with the core that runs it.
-const TARGETS: [(&str, &str); 2] = [("thumbv6m-none-eabi", "m0"), ("thumbv7m-none-eabi", "m3")];
+const TARGETS: [(&str, &str); 2] = [(toolchain::M0, "m0"), (toolchain::M3, "m3")];
 
 /// The measured qualities: all but the float port.
 pub const QUALITIES: [Quality; 3] = [Quality::FAST, Quality::SMALL, Quality::EXACT];

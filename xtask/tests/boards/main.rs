@@ -6,7 +6,6 @@ mod castle;
 #[path = "../common/mod.rs"]
 mod common;
 mod estimate;
-mod refill;
 mod wiring;
 
 use std::path::PathBuf;

@@ -280,3 +280,37 @@ impl Pins for Rp {
         format!("GP{pin}")
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::chip::rp2350::RP2350;
+
+    #[test]
+    fn bytes_that_change_before_they_are_sent_are_sent_as_they_are_then() {
+        const RAM: u32 = 0x2000_0000;
+        let mut chip = Rp::new(&RP2350, 1);
+        let [_, spi] = RP2350.spi;
+        // The SPI as the examples set it up: a byte takes 32 cycles.
+        for (offset, value) in [(0, 7), (4, 2), (0x10, 4), (0x24, 2)] {
+            chip.registers.set(spi + offset, value);
+        }
+        // Ten bytes from the RAM, paced by SPI1. The last write starts the DMA.
+        for (offset, value) in [(0, RAM), (4, spi + 8), (8, 10), (12, 26 << 17 | 1 << 4 | 1)] {
+            chip.dma.write(offset, value).unwrap();
+        }
+        let mut memory = Memory::new((0x1000_0000, 0), (RAM, 16));
+        memory.write(RAM, 0x3322_1100, 4).unwrap();
+        let sent = |chip: &mut Rp, memory: &Memory, now| {
+            let next = || chip.advance(memory, now).unwrap().map(|it| it.byte);
+            std::iter::from_fn(next).collect::<Vec<_>>()
+        };
+        // One byte is on its way, and eight wait in the buffer.
+        let first = sent(&mut chip, &memory, 0);
+        assert_eq!(first, [0, 0x11, 0x22, 0x33, 0, 0, 0, 0, 0]);
+        memory.write(RAM + 8, 0x9988, 2).unwrap();
+        assert_eq!(sent(&mut chip, &memory, 31), []);
+        assert_eq!(sent(&mut chip, &memory, 32), [0x99]);
+        assert_eq!(sent(&mut chip, &memory, 999), []);
+    }
+}

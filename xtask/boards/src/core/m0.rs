@@ -67,8 +67,6 @@ impl Core for M0 {
         private.is_asleep
     }
 
-    fn begin_turn(&mut self, _: &mut System) {}
-
     fn pc(&self) -> u32 {
         self.core.regs.pc()
     }

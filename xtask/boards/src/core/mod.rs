@@ -25,7 +25,7 @@ pub trait Core: Sized {
     /// Whether the core waits for an event. If one has happened, the core goes on.
     fn is_asleep(&mut self, system: &mut System) -> bool;
     /// Begins a turn after another core had one.
-    fn begin_turn(&mut self, system: &mut System);
+    fn begin_turn(&mut self, _: &mut System) {}
     /// Address of the next instruction.
     fn pc(&self) -> u32;
     /// Number of the exception in which the core is. 0 for none.

@@ -31,9 +31,9 @@ const WAITS: u32 = 1 << 2;
 
 /// Writes a register of the DMA.
 pub fn write(it: &mut Registers<Kind>, address: u32, value: u32) -> Result<(), Fault> {
-    let is_at_work = it.get(CONTROL) & ENABLED != 0;
+    let rests = it.get(CONTROL) & ENABLED == 0;
     require!(
-        !is_at_work || address < STREAM,
+        rests || address < STREAM,
         "the DMA is changed while it works"
     );
     if address == CLEARED {
@@ -43,10 +43,8 @@ pub fn write(it: &mut Registers<Kind>, address: u32, value: u32) -> Result<(), F
     if address == CONTROL && value & ENABLED != 0 {
         let is_plain = value & MASK == WANTED && it.get(FIFO) & WAITS == 0;
         require!(is_plain, "the DMA does not send bytes one after another");
-        require!(
-            it.get(FLAGS) & OWN_FLAGS == 0,
-            "the DMA's flags are not cleared"
-        );
+        let flags = it.get(FLAGS) & OWN_FLAGS;
+        require!(flags == 0, "the DMA's flags are not cleared");
         let target = it.get(TARGET);
         require!(target == SPI + 0x0c, "the DMA sends to {target:#010x}");
         require!(it.get(COUNT) > 0, "the DMA has nothing to send");

@@ -44,12 +44,6 @@ fn chip(registers: &[&[(u32, u32)]]) -> (Stm32f411, Result<(), String>) {
     (chip, done)
 }
 
-fn memory() -> Memory {
-    let mut memory = Memory::new((0x0800_0000, 16), (0x2000_0000, 16));
-    memory.write(0x2000_0000, 0x30_2010, 4).unwrap();
-    memory
-}
-
 #[test]
 fn wrong_clock_and_low_voltage_are_found() {
     let with = |at: usize, wrong| {
@@ -77,53 +71,42 @@ fn slow_pin_does_not_follow_the_spi() {
 }
 
 #[test]
-fn dma_sends_bytes_one_after_another_as_the_spi_has_room() {
+fn dma_sends_bytes_as_they_are_when_the_spi_has_room() {
     let (mut chip, done) = chip(&[&FAST, &SPI_ON, &THREE_BYTES]);
     assert_eq!(done, Ok(()));
-    let memory = memory();
-    let mut next = |now| chip.advance(&memory, now).unwrap().map(|sent| sent.byte);
+    let mut memory = Memory::new((0x0800_0000, 0), (0x2000_0000, 16));
+    memory.write(0x2000_0000, 0x30_2010, 4).unwrap();
+    let mut next = |memory: &Memory, now| chip.advance(memory, now).unwrap().map(|it| it.byte);
     // A byte takes 16 cycles. One is on its way, and one waits.
-    let sent = [0, 0, 0, 15, 16, 16, 60].map(&mut next);
-    let none = None;
-    assert_eq!(
-        sent,
-        [Some(0x10), Some(0x20), none, none, Some(0x30), none, none]
-    );
+    let sent = [0, 0, 0, 15].map(|now| next(&memory, now));
+    assert_eq!(sent, [Some(0x10), Some(0x20), None, None]);
+    memory.write(0x2000_0002, 0x99, 1).unwrap();
+    let sent = [16, 16, 60].map(|now| next(&memory, now));
+    assert_eq!(sent, [Some(0x99), None, None]);
     assert_eq!(chip.registers.get(DMA), 1 << 27);
-}
-
-#[test]
-fn wrong_uses_of_the_dma_are_found() {
-    let with = |more: &[(u32, u32)]| chip(&[&FAST, &SPI_ON, &THREE_BYTES, more]).1.unwrap_err();
-    let changed = with(&[(STREAM + 0xc, 0)]);
-    assert_eq!(changed, "the DMA is changed while it works");
-    let stopped = |registers: &[(u32, u32)]| {
-        let started = THREE_BYTES[3];
-        let all = [&THREE_BYTES[..3], registers, &[started]].concat();
-        chip(&[&FAST, &SPI_ON, &all]).1.unwrap_err()
-    };
-    let elsewhere = stopped(&[(STREAM + 8, SPI)]);
-    assert_eq!(elsewhere, "the DMA sends to 0x40013000");
-    let nothing = stopped(&[(STREAM + 4, 0)]);
-    assert_eq!(nothing, "the DMA has nothing to send");
-    let [words, no_steps] = [1 << 11, 1 << 10].map(|bit| {
-        let mut registers = THREE_BYTES;
-        registers[3].1 ^= bit;
-        chip(&[&FAST, &SPI_ON, &registers]).1.unwrap_err()
-    });
-    assert_eq!(words, "the DMA does not send bytes one after another");
-    assert_eq!(no_steps, words);
-}
-
-#[test]
-fn flags_are_cleared_before_the_dma_starts_again() {
-    let (mut chip, _) = chip(&[&FAST, &SPI_ON, &THREE_BYTES]);
-    let memory = memory();
-    for now in [0, 16, 32] {
-        chip.advance(&memory, now).unwrap();
-    }
     let again = write(&mut chip, 99, &THREE_BYTES).unwrap_err();
     assert_eq!(again, "the DMA's flags are not cleared");
     write(&mut chip, 99, &[(DMA + 8, 1 << 27)]).unwrap();
     assert_eq!(write(&mut chip, 99, &THREE_BYTES), Ok(()));
+}
+
+#[test]
+fn wrong_uses_of_the_dma_are_found() {
+    // Each changes one register of those that start it.
+    let with = |at: usize, value| {
+        let mut registers = THREE_BYTES;
+        registers[at].1 = value;
+        chip(&[&FAST, &SPI_ON, &registers]).1.unwrap_err()
+    };
+    assert_eq!(with(0, 0), "the DMA has nothing to send");
+    assert_eq!(with(1, SPI), "the DMA sends to 0x40013000");
+    let plain = THREE_BYTES[3].1;
+    for wrong in [plain | 1 << 11, plain ^ 1 << 10, plain ^ 1 << 25] {
+        assert_eq!(
+            with(3, wrong),
+            "the DMA does not send bytes one after another"
+        );
+    }
+    let (_, changed) = chip(&[&FAST, &SPI_ON, &THREE_BYTES, &THREE_BYTES]);
+    assert_eq!(changed.unwrap_err(), "the DMA is changed while it works");
 }
