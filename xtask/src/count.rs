@@ -163,7 +163,7 @@ mod tests {
     use super::*;
 
     const MOST_CODE: usize = 19_294;
-    const MOST_OUTSIDE: usize = 37_020;
+    const MOST_OUTSIDE: usize = 37_017;
 
     /// Most lines of a file of the library without its tests.
     const LONGEST_FILE: usize = 300;

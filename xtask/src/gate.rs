@@ -218,6 +218,7 @@ fn tests(all: bool) -> Result<Vec<Step>> {
         "tests",
         "tests/random/tests",
         "xtask/boards/tests",
+        "xtask/command_line/tests",
         "xtask/lost/tests",
         "xtask/stability/tests",
     ];
