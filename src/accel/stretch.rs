@@ -30,8 +30,8 @@ pub(crate) struct Stretch<'a> {
 }
 
 impl Stretch<'_> {
-    /// Tests whether no plane hides the inside of a shape between the ends. It bulges away from the eye: a plane that lies
-    /// behind the points at both ends may still be nearer than a point between them.
+    /// Tests whether no plane comes in front of a shape between the ends of a stretch that shows its inside. An inside
+    /// bulges away from the eye: a plane behind the points at both ends may still be in front of one between them.
     #[inline(never)]
     pub(super) fn is_before(&self, planes: &[PreparedPlane]) -> bool {
         let Some(chord) = self.chord.as_ref().filter(|_| self.eye.is_none()) else {

@@ -13,10 +13,10 @@ use stm32f4xx_hal::pac::{DMA2, SPI1};
 /// Most bytes that are sent at once: four rows of the panel, the largest area of a picture.
 const BLOCK: usize = 4 * 2 * 240;
 
-/// Pixels in the panel's byte order. What the DMA sends is borrowed until it is sent.
+/// Pixels in the panel's byte order. The DMA borrows a block until it has sent it.
 type Block = RefCell<[u8; BLOCK]>;
 
-/// The DMA and the SPI, at rest or at work. The SPI takes bytes from stream 3 by its channel 3.
+/// The DMA and the SPI, at rest or at work. Channel 3 of stream 3 is that of SPI1.
 enum State {
     Idle(Stream3<DMA2>, SPI1),
     Sending(Transfer<Stream3<DMA2>, 3, SPI1, MemoryToPeripheral, Ref<'static, [u8]>>),

@@ -109,10 +109,10 @@ impl Board {
         })?;
         let cycles = self.instructions(&outcome) as f64 * estimate.per_instruction();
         let sending = self.sending(pixels(task.settings.size));
-        let hidden = self.board.map_or(0.0, |it| it.hidden / it.sending);
+        let share = self.board.map_or(0.0, |it| it.hidden / it.sending);
         Ok(Speed {
             tracing: cycles / (1e6 * self.megahertz()),
-            hidden: hidden * sending,
+            hidden: share * sending,
             sending,
         })
     }
