@@ -16,7 +16,7 @@ const BLOCK: usize = 4 * 2 * 240;
 /// Pixels in the panel's byte order. The DMA borrows a block until it has sent it.
 type Block = RefCell<[u8; BLOCK]>;
 
-/// The DMA and the SPI, at rest or at work. Channel 3 of stream 3 is that of SPI1.
+/// The DMA and the SPI, at rest or at work. SPI1 requests bytes from stream 3 on channel 3.
 enum State {
     Idle(Stream3<DMA2>, SPI1),
     Sending(Transfer<Stream3<DMA2>, 3, SPI1, MemoryToPeripheral, Ref<'static, [u8]>>),

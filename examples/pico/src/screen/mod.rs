@@ -22,7 +22,7 @@ use line::{ROW, Wire};
 /// Most rows that are sent at once. Two areas of 4 rows fit: those that both cores trace first.
 const ROWS: usize = 8;
 
-/// Rows in the panel's byte order. What the DMA sends is borrowed until it is sent.
+/// Rows in the panel's byte order. The DMA borrows a block until it has sent it.
 type Block = RefCell<[u8; ROWS * ROW]>;
 
 /// The SPI behind the pins of data and clock.

@@ -27,7 +27,7 @@ const SIDE: u32 = 240;
 /// Time of a frame in milliseconds while something moves.
 const FRAME: i32 = 67;
 
-/// Instructions of tracing in that time. One takes 1.75 cycles, those that hand out pixels included.
+/// Instructions of tracing in the time of a frame, at 1.75 cycles each: that includes handing out the pixels.
 const BUDGET: u64 = 1000 * CORE_MHZ as u64 * FRAME as u64 * 4 / 7;
 
 /// Settings for the scene on this core at 240x240, as `cargo run --release --package report` in the

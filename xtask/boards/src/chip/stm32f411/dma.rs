@@ -21,12 +21,12 @@ const COMPLETE: u32 = 1 << 27;
 
 const ENABLED: u32 = 1;
 
-/// Settings of the stream, and their wanted values: channel 3, from memory to a peripheral, bytes, one buffer, no bursts.
-/// The address in memory is incremented, that of the peripheral is not.
+/// The bits of the stream's settings that are checked, and how they must be: channel 3, from memory to a peripheral, bytes,
+/// one buffer, no bursts; the address in memory is incremented, that of the peripheral is not.
 const MASK: u32 = 0x0fe4_7fe0;
 const WANTED: u32 = 3 << 25 | 1 << 10 | 1 << 6;
 
-/// Bit of the FIFO's settings: bytes are collected in the FIFO, not sent one by one.
+/// Bit of the FIFO's settings: the FIFO collects bytes before they are sent.
 const WAITS: u32 = 1 << 2;
 
 /// Writes a register of the DMA.

@@ -1,20 +1,20 @@
 use super::table::{DMA, STREAM};
 use super::*;
 
-/// Registers and values that enable the clocks of port A, DMA2, the power control and SPI1.
+/// Registers and the values that enable the clocks of port A, DMA2, the power control and SPI1.
 const CLOCKS: [(u32, u32); 3] = [
     (RCC + 0x30, 1 << 22 | 1),
     (RCC + 0x40, 1 << 28),
     (RCC + 0x44, 1 << 12),
 ];
 
-/// Registers and values for a core at 100 MHz: the PLL, the voltage, and the core's source of its clock.
+/// Registers and the values that run the core at 100 MHz: of the PLL, the voltage, and the choice of the PLL as its clock.
 const FAST: [(u32, u32); 3] = [(RCC + 4, 200 << 6 | 25), (POWER, 3 << 14), (RCC + 8, 2)];
 
-/// Registers and values for an SPI as the panel wants it, which requests bytes of the DMA.
+/// Registers and the values that set up the SPI as the panel wants it, and let it request bytes from the DMA.
 const SPI_ON: [(u32, u32); 2] = [(SPI, SPI_WANTED), (SPI + 4, TX_DMA_ENABLED)];
 
-/// Registers and values by which the DMA sends three bytes of the RAM to the SPI. The last one starts it.
+/// Registers and the values that make the DMA send three bytes from RAM to the SPI. The last one starts it.
 const THREE_BYTES: [(u32, u32); 4] = [
     (STREAM + 4, 3),
     (STREAM + 8, SPI + SPI_DATA),
@@ -22,7 +22,7 @@ const THREE_BYTES: [(u32, u32); 4] = [
     (STREAM, 3 << 25 | 1 << 10 | 1 << 6 | 1),
 ];
 
-/// Writes values to registers, all at one time in cycles. Returns the words of the first fault.
+/// Writes values to registers, all in the cycle `now`. After a fault it stops, and returns its text.
 fn write(chip: &mut Stm32f411, now: u64, registers: &[(u32, u32)]) -> Result<(), String> {
     registers.iter().try_for_each(|(address, value)| {
         let (address, size, core) = (*address, 4, 0);
@@ -37,7 +37,7 @@ fn write(chip: &mut Stm32f411, now: u64, registers: &[(u32, u32)]) -> Result<(),
     })
 }
 
-/// Returns a chip whose clocks are enabled, after these values were written to registers, and the first fault.
+/// Enables the clocks of a new chip, then writes these values to registers. Returns the chip, and the fault if there is one.
 fn chip(registers: &[&[(u32, u32)]]) -> (Stm32f411, Result<(), String>) {
     let mut chip = Stm32f411::new();
     let done = write(&mut chip, 0, &[&CLOCKS[..], &registers.concat()].concat());
@@ -92,7 +92,7 @@ fn dma_sends_bytes_as_they_are_when_the_spi_has_room() {
 
 #[test]
 fn wrong_uses_of_the_dma_are_found() {
-    // Starts the DMA with one wrong value among its registers.
+    // Writes `value` to one of the registers that start the DMA, and returns the fault.
     let with = |at: usize, value| {
         let mut registers = THREE_BYTES;
         registers[at].1 = value;
