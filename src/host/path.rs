@@ -1,89 +1,209 @@
-//! The rays that the fixed-point core follows through one pixel, and the path of a pixel step by step, converted to
-//! doubles. This file knows no colours.
-
-mod steps;
-
-pub use self::steps::{End, Path, Step, path_of, paths_of_row};
+//! What the path of a pixel meets, step by step, and what each surface adds to the pixel's colour. The colours are those
+//! of the quality `Exact`, to the bit; this file only converts them to doubles.
 
 use alloc::vec::Vec;
 
 use crate::accel::drawable::Drawable;
-use crate::camera::Camera;
-use crate::number::{Number, power_of_two};
-use crate::ray::{ScaledPoint, ScaledRay};
-use crate::scene::Surface;
+use crate::color::{Color, Sum};
+use crate::number::{Brightness, Number, Unit, power_of_two};
+use crate::qualities::Exact;
+use crate::ray::ScaledPoint;
+use crate::render::Rows;
 use crate::scene::access::{KIND_NAMES, Parts, SceneAccess, ShapeId};
-use crate::scene::query::nearest_hit;
+use crate::shade::Shading;
+pub use crate::trace::End;
+use crate::trace::{Met, Walked};
 
-/// A ray of the fixed-point core, converted to doubles.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Ray {
-    /// Point where the ray starts, in scene units.
-    pub origin: [f64; 3],
-    /// Direction of the ray. Its length is one to within 2⁻²⁶.
-    pub direction: [f64; 3],
+/// The path of a pixel: c = Σᵢ (1 − αᵢ) · (Π over k < i of αₖ) · cᵢ, term by term. [`path_of`] returns it.
+///
+/// All colours are linear, as shares of white.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Path {
+    /// The surfaces that the path meets, in order.
+    pub steps: Vec<Step>,
+    /// Directions of the rays: that of the camera, then one for each reflection. Their lengths are one to within
+    /// 2⁻²⁶. A ray that surely meets nothing is not followed and has none.
+    pub rays: Vec<[f64; 3]>,
+    /// The reason why the path ends.
+    pub end: End,
+    /// Colour of the background that the last ray shows, if it hits nothing. Its weight is that after the
+    /// last step.
+    pub background: Option<[f64; 3]>,
+    /// Colour of the pixel, before it is clamped and rounded.
+    pub sum: [f64; 3],
+    /// Red, green and blue that `Exact` draws.
+    pub pixel: [u8; 3],
+    /// Largest component of any colour that a path of this scene can meet.
+    pub brightest: f64,
 }
 
-/// Returns the rays that the core follows through pixel (`x`, `y`): the camera ray, then one ray for
-/// each reflection, at most `reflections` of them.
-///
-/// Every surface counts as a mirror, whatever its material. A reflected ray starts epsilon above the
-/// surface that was hit. The list ends at the first ray that hits nothing.
+/// A surface on the path of a pixel.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Step {
+    /// Kind of the shape, such as `sphere`.
+    pub kind: &'static str,
+    /// Index of the shape among those of its kind.
+    pub index: usize,
+    /// Index of the material of the shape.
+    pub material: usize,
+    /// Whether the ray meets the shape from inside, or a plane against its normal.
+    pub is_inside: bool,
+    /// Share αᵢ of the light that the surface mirrors.
+    pub alpha: f64,
+    /// Weight of the path before the surface: Π over k < i of αₖ.
+    pub weight: f64,
+    /// Weight of the path after the surface.
+    pub weight_after: f64,
+    /// Colour cᵢ of the surface without reflections; black for a perfect mirror, which has none.
+    pub color: [f64; 3],
+    /// Indices of the lights that shine on the surface; empty for a perfect mirror. Of more than 31 lights,
+    /// the later ones are missing.
+    pub lights: Vec<usize>,
+    /// Sum of the path up to this surface.
+    pub sum: [f64; 3],
+    /// Most that a component of the pixel's colour can still gain: the weight after the surface times
+    /// [`Path::brightest`].
+    pub bound: f64,
+    /// Where the ray starts that meets the surface, in scene units.
+    pub from: [f64; 3],
+    /// Where rays leave the surface, epsilon above it, in scene units.
+    pub to: [f64; 3],
+}
+
+/// Returns the path of pixel (`x`, `y`), as `Exact` computes it. `None` outside of the picture.
 ///
 /// ```
-/// use reflet::host::path::{Ray, follow};
+/// use embedded_graphics::prelude::Size;
+/// use reflet::host::path::{End, path_of};
+/// use reflet::quality::Exact;
 /// use reflet::{Camera, Material, scene};
 ///
-/// const GLASS: Material = Material::new([1.0; 3]).mirror(1.0);
+/// const GLASS: Material = Material::new([1.0, 0.5, 0.0]).ambient(1.0).mirror(0.5);
 /// scene! {
 ///     struct Floor {
 ///         plane([0.0; 3], [0.0, 0.0, 1.0], GLASS);
+///         background([0.0, 0.0, 1.0]);
 ///     }
 /// }
 ///
 /// let camera = Camera::look_at([0.0, 0.0, 2.0], [0.0, 0.0, 0.0], [0.0, 1.0, 0.0]);
-/// let rays = follow(&Floor, &camera, (1, 1), (0, 0), 9);
-/// assert_eq!(rays[0], Ray { origin: [0.0, 0.0, 2.0], direction: [0.0, 0.0, -1.0] });
-/// assert_eq!(rays.len(), 2);
-/// assert_eq!(rays[1].direction, [0.0, 0.0, 1.0]);
-/// // Two steps of the scene's grid, 2^-20 each.
-/// assert!((rays[1].origin[2] - 1e-3).abs() <= 2.0 / f64::from(1 << 20));
+/// let frame = Floor::frame(&camera).quality::<Exact>().prepare(Size::new(1, 1));
+/// let path = path_of(&frame.on(&Floor)?, (0, 0)).unwrap();
+/// let step = &path.steps[0];
+/// assert_eq!((step.kind, step.index, step.alpha, step.weight), ("plane", 0, 0.5, 1.0));
+/// assert_eq!((path.end, path.pixel), (End::Missed, [128, 64, 128]));
+/// assert_eq!(path.rays, [[0.0, 0.0, -1.0]]);
+/// # Ok::<(), reflet::Error>(())
 /// ```
-pub fn follow<S: Drawable>(
-    scene: &S,
-    camera: &Camera,
-    (width, height): (u32, u32),
+pub fn path_of<S: Drawable, K: Shading>(
+    rows: &Rows<'_, S, Exact, K>,
     (x, y): (u32, u32),
-    reflections: u32,
-) -> Vec<Ray> {
-    let world = &scene.world();
-    let grid = world.parts().grid;
-    let from = grid.place(camera.description().position);
-    let direction = camera.generator(width, height).row(y).of(x);
-    let mut path = ScaledRay::new(from, direction);
-    let mut left = ShapeId::NONE;
-    let mut rays = vec![plain(world, &path)];
-    for _ in 0..reflections {
-        let hit = nearest_hit(world, &path, left);
-        let Some((at, shape)) = hit else {
-            break;
-        };
-        let Some(surface) = Surface::new(world, at, shape, path.direction()) else {
-            break;
-        };
-        surface.reflect(world, &mut path);
-        left = surface.skip(world);
-        rays.push(plain(world, &path));
-    }
-    rays
+) -> Option<Path> {
+    let [width, height] = rows.sides();
+    let is_inside = x < width && y < height;
+    is_inside.then(|| paths(rows, y, x, x + 1).pop()).flatten()
 }
 
-fn plain<W: SceneAccess>(world: &W, path: &ScaledRay) -> Ray {
-    let units = path.direction().components();
-    Ray {
-        origin: place_of(world, path.from()),
-        direction: units.map(|unit| unit.to_num()),
+/// Returns the paths of all pixels of row `y`, from the left; none below the picture.
+///
+/// ```
+/// use embedded_graphics::prelude::Size;
+/// use reflet::host::path::{path_of, paths_of_row};
+/// use reflet::quality::Exact;
+/// use reflet::scenes::{BuiltIn, Mirror2};
+///
+/// let frame = Mirror2::frame(&Mirror2::CAMERA).quality::<Exact>().prepare(Size::new(16, 12));
+/// let rows = frame.on(&Mirror2)?;
+/// let paths = paths_of_row(&rows, 6);
+/// assert_eq!(paths.len(), 16);
+/// assert_eq!(Some(&paths[3]), path_of(&rows, (3, 6)).as_ref());
+/// # Ok::<(), reflet::Error>(())
+/// ```
+pub fn paths_of_row<S: Drawable, K: Shading>(rows: &Rows<'_, S, Exact, K>, y: u32) -> Vec<Path> {
+    let [width, height] = rows.sides();
+    if y < height { paths(rows, y, 0, width) } else { Vec::new() }
+}
+
+/// Returns the paths of the columns from `first` to the one before `end` of a row.
+fn paths<S: Drawable, K: Shading>(
+    rows: &Rows<'_, S, Exact, K>,
+    y: u32,
+    first: u32,
+    end: u32,
+) -> Vec<Path> {
+    match rows.walk(y, first..end) {
+        Some(walked) => walked.iter().map(|it| path(rows.world(), it)).collect(),
+        None => vec![empty(rows); (end - first) as usize],
     }
+}
+
+/// Returns the path of every pixel in a scene without shapes and without a sky.
+fn empty<S: Drawable, K: Shading>(rows: &Rows<'_, S, Exact, K>) -> Path {
+    let sum = rows.only_sum().unwrap_or(Sum::DARK);
+    let walked = Walked {
+        steps: Vec::new(),
+        rays: Vec::new(),
+        end: End::Missed,
+        missed: None,
+        sum,
+    };
+    let mut path = path(rows.world(), &walked);
+    path.background = Some(path.sum);
+    path
+}
+
+fn path<W: SceneAccess>(world: &W, walked: &Walked) -> Path {
+    Path {
+        steps: walked.steps.iter().map(|it| step(world, it)).collect(),
+        rays: walked
+            .rays
+            .iter()
+            .map(|it| it.components().map(Unit::to_num))
+            .collect(),
+        end: walked.end,
+        background: walked.missed.map(shares),
+        sum: shares_of(walked.sum),
+        pixel: walked.sum.to_rgb8(),
+        brightest: share(world.parts().brightest),
+    }
+}
+
+fn step<W: SceneAccess>(world: &W, met: &Met) -> Step {
+    let parts = world.parts();
+    let (kind, index) = shape_of(&parts, met.shape);
+    let [weight, weight_after] = met.throughput.map(Unit::to_num::<f64>);
+    let shines = |light: &usize| met.lights >> light & 1 == 1;
+    Step {
+        kind,
+        index,
+        material: parts.material_of(met.shape).map_or(0, |it| it.index()),
+        is_inside: met.is_inside,
+        alpha: met.mirror.to_num(),
+        weight,
+        weight_after,
+        color: shares(met.color),
+        lights: (0..parts.lights.len().min(32)).filter(shines).collect(),
+        sum: shares_of(met.sum),
+        bound: weight_after * share(parts.brightest),
+        from: place_of(world, met.from),
+        to: place_of(world, met.to),
+    }
+}
+
+/// Colours are stored in 255 of 256 parts; this scales back.
+const SCALE: f64 = 256.0 / 255.0;
+
+fn share(brightness: Brightness) -> f64 {
+    brightness.to_num::<f64>() * SCALE
+}
+
+fn shares(color: Color) -> [f64; 3] {
+    color.components().map(share)
+}
+
+fn shares_of(sum: Sum) -> [f64; 3] {
+    let step = SCALE / f64::from(1 << 24);
+    sum.to_bits().map(|bits| f64::from(bits) * step)
 }
 
 /// Converts a point to scene units.

@@ -7,7 +7,7 @@ use super::Rows;
 use crate::accel::drawable::Drawable;
 use crate::qualities::Quality;
 use crate::shade::Shading;
-use crate::trace::Walked;
+use crate::trace::{Pixel, Walked};
 
 impl<S: Drawable, Q: Quality, K: Shading> Rows<'_, S, Q, K> {
     /// Follows the paths of these columns of row `y`. Returns `None` if the scene has no shape and no sky: there are
@@ -20,7 +20,7 @@ impl<S: Drawable, Q: Quality, K: Shading> Rows<'_, S, Q, K> {
         let mut tracer = self.tracer((generator, &directions), y);
         let paths = columns.map(|column| {
             let window = tracer.advance(column, column);
-            tracer.walk((&window, column), directions.of(column))
+            tracer.walk(Pixel::Center(&window, column), directions.of(column))
         });
         Some(paths.collect())
     }

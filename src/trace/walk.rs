@@ -5,7 +5,7 @@ use alloc::vec::Vec;
 
 use super::Tracer;
 use super::bounce::{Bounce, Pixel};
-use crate::accel::{Window, World};
+use crate::accel::World;
 use crate::color::{Color, Sum};
 use crate::number::Unit;
 use crate::qualities::Quality;
@@ -37,6 +37,8 @@ pub(crate) struct Met {
 /// A path.
 pub(crate) struct Walked {
     pub(crate) steps: Vec<Met>,
+    /// Directions of the rays that were followed.
+    pub(crate) rays: Vec<Direction>,
     pub(crate) end: End,
     /// Colour that the path adds where it hits nothing.
     pub(crate) missed: Option<Color>,
@@ -56,13 +58,13 @@ pub enum End {
 
 impl<'a, W: World, K: Shading, Q: Quality> Tracer<'a, W, K, Q> {
     /// Follows the path of a pixel.
-    pub(crate) fn walk(&mut self, pixel: (&Window, u32), direction: Direction) -> Walked {
-        let (world, mut steps) = (self.world, Vec::new());
+    pub(crate) fn walk(&mut self, mut pixel: Pixel<'_>, direction: Direction) -> Walked {
+        let (world, mut steps, mut rays) = (self.world, Vec::new(), Vec::new());
         let mut ray = ScaledRay::new(self.visibility.from, direction);
         let (mut sum, mut throughput, mut bounce) = (Sum::DARK, Unit::ONE, Bounce::NONE);
         let end = loop {
-            let Some(surface) = self.surface(&mut Pixel::Center(pixel.0, pixel.1), &ray, &bounce)
-            else {
+            rays.push(ray.direction());
+            let Some(surface) = self.surface(&mut pixel, &ray, &bounce) else {
                 break End::Missed;
             };
             let reflected = Self::reflected(world, &surface, throughput);
@@ -100,6 +102,7 @@ impl<'a, W: World, K: Shading, Q: Quality> Tracer<'a, W, K, Q> {
         }
         Walked {
             steps,
+            rays,
             end,
             missed,
             sum,

@@ -5,12 +5,12 @@ use embedded_graphics::prelude::Size;
 use std::vec::Vec;
 
 use super::*;
-use crate::FrameBuilder;
 use crate::host::file::{FileScene, built};
 use crate::host::reference;
 use crate::qualities::Exact;
 use crate::scenes::{self, BuiltIn, Empty, Floor, Mirror1, Visitor};
 use crate::shade::{BlinnPhong, Phong, Shading};
+use crate::{Camera, FrameBuilder};
 
 const SIZE: Size = Size::new(48, 36);
 
@@ -47,6 +47,10 @@ fn adds_up(path: &Path) {
         let level = (path.sum[channel] * 255.0).round().clamp(0.0, 255.0);
         assert_eq!(level, f64::from(path.pixel[channel]));
     }
+    // A ray leads to each surface, and perhaps another beyond all of them.
+    let beyond = usize::from(path.end == End::Missed);
+    let rays = path.steps.len()..=path.steps.len() + beyond;
+    assert!(rays.contains(&path.rays.len()), "{path:?}");
     for (step, next) in path.steps.iter().zip(path.steps.iter().skip(1)) {
         assert_eq!((step.weight_after, step.to), (next.weight, next.from));
         let alpha = step.weight_after / step.weight;

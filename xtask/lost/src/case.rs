@@ -1,5 +1,4 @@
-//! One scene, drawn by the reference and by qualities, and the pixels that a quality loses. Never reads a
-//! file.
+//! One scene, drawn by the reference and by qualities, and the pixels that a quality loses. Never reads a file.
 
 use command_line::{Quality, Settings, Shading, Source};
 use embedded_graphics::geometry::Size;

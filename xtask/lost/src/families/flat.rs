@@ -1,5 +1,4 @@
-//! Families that are hard for their planes or their cameras: sunk shapes, wide views, mirrors, and
-//! what is far away.
+//! Families that are hard for their planes or their cameras: sunk shapes, wide views, mirrors, and what is far away.
 
 use reflet::host::reference::Vector;
 
@@ -123,8 +122,7 @@ pub fn mirrors(draft: &mut Draft) {
     draft.camera(target, offset, fov);
 }
 
-/// Makes a few shapes that are looked at from up to 100 000 units away, with planes and lights that
-/// may be as far.
+/// Makes a few shapes that are looked at from up to 100 000 units away, with planes and lights that may be as far.
 pub fn far(draft: &mut Draft) {
     draft.floor(0.6, Vector::ZERO);
     // Not always so far that nothing is interpolated.

@@ -1,7 +1,9 @@
 //! Cases of chaotic geometry: errors grow with every bounce.
 
-use reflet::host::path::follow;
+use embedded_graphics::geometry::Size;
+use reflet::host::path::paths_of_row;
 use reflet::host::reference::Vector;
+use reflet::quality::Exact;
 
 use super::draft::{Draft, UP};
 use super::scene::Scene;
@@ -44,8 +46,7 @@ fn hall(draft: Draft, set: &[Ball]) -> Draft {
     (0..8).fold(draft, |draft, bits| {
         let (of, name) = (|bit| f64::from(bits >> bit & 1), bits.to_string());
         let color = [0, 1, 2].map(|bit| 0.1 + 0.8 * of(bit));
-        // Four of these corners are behind the spheres of a tetrahedron, the other four in front of
-        // its gaps.
+        // Four of these corners are behind the spheres of a tetrahedron, the other four in front of its gaps.
         let at = [0, 1, 2].map(|bit| 2.15 * (2.0 * of(bit) - 1.0));
         draft
             .material(&name, color, [1.0, 0.0, 0.0, 1.0, 0.0])
@@ -95,21 +96,22 @@ fn apart(a: [f64; 3], b: [f64; 3]) -> f64 {
     (Vector(a) - Vector(b)).length()
 }
 
-/// Measures the largest angle by which a ray is not parallel to itself after three bounces in a
-/// corner cube.
+/// Measures the largest angle by which a ray is not parallel to itself after three bounces in a corner cube.
 fn returned() -> Measured {
     let scene = Scene::read(&corner(1.0)).expect("the scene is accepted");
     let (built, camera) = (scene.source.scene(), scene.source.camera());
+    let frame = built.frame(&camera).quality::<Exact>().reflections(3);
+    let frame = frame.prepare(Size::new(64, 64));
+    let rows = frame.on(built).expect("the scene of the frame");
     let (mut fixed, mut single, mut rays) = (0.0_f64, 0.0_f64, 0);
-    for (x, y) in (0..64).flat_map(|y| (0..64).map(move |x| (x, y))) {
-        let path = follow(built, &camera, (64, 64), (x, y), 3);
-        let [first, _, _, last] = &path[..] else {
+    for path in (0..64).flat_map(|y| paths_of_row(&rows, y)) {
+        let [first, _, _, last] = path.rays[..] else {
             continue;
         };
         rays += 1;
-        fixed = fixed.max(apart(first.direction.map(|it| -it), last.direction));
+        fixed = fixed.max(apart(first.map(|it| -it), last));
         // Three reflections by d - 2 (d · n) n in single precision.
-        let start = first.direction.map(|it| it as f32);
+        let start = first.map(|it| it as f32);
         let end = TURNED.into_iter().fold(start, |way, normal| {
             let normal = normal.map(|it| it as f32);
             let cosine = way[0] * normal[0] + way[1] * normal[1] + way[2] * normal[2];

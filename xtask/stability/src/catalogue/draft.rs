@@ -29,8 +29,7 @@ impl Draft {
     pub fn through(position: [f64; 3], target: [f64; 3], up: [f64; 3], fov: f64) -> Self {
         let file = json!({
             "camera": {"position": position, "target": target, "up": up, "fov": fov},
-            // No channel is half way between two levels of 255, so rounding errors cannot change a
-            // level.
+            // No channel is half way between two levels of 255, so rounding errors cannot change a level.
             "background": [0.21, 0.29, 0.52],
         });
         let reflections = 4;
@@ -52,8 +51,7 @@ impl Draft {
         self
     }
 
-    /// Adds a material: its colour, then its ambient, diffuse and specular coefficient, shininess
-    /// and mirror share.
+    /// Adds a material: its colour, then its ambient, diffuse and specular coefficient, shininess and mirror share.
     pub fn material(self, name: &str, color: [f64; 3], coefficients: [f64; 5]) -> Self {
         let [ambient, diffuse, specular, shininess, mirror] = coefficients;
         let material = json!({
