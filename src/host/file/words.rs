@@ -21,37 +21,25 @@ pub(super) fn words(place: &str, message: &str) -> String {
 /// Returns the words for a value of the wrong type or length.
 fn wrong_value(place: &str, message: &str) -> Option<String> {
     let is_inside = !place.is_empty();
-    let place = match place {
-        "" => "a scene",
-        _ => place,
-    };
+    let place = if is_inside { place } else { "a scene" };
     if message == "trailing characters" && is_inside {
         let items = if is_of_lists(place) { "lists" } else { "numbers" };
         return Some(format!("{place} has more than 3 {items}: remove the rest"));
     }
     if let Some(rest) = message.strip_prefix("invalid length ") {
         let (length, expected) = rest.split_once(", expected ")?;
-        return Some(format!(
-            "{place} must be {}, not {length}",
-            wanted(place, expected)
-        ));
+        let wanted = wanted(place, expected);
+        return Some(format!("{place} must be {wanted}, not {length}"));
     }
-    let (found, expected) = message
-        .strip_prefix("invalid type: ")?
-        .split_once(", expected ")?;
-    Some(format!(
-        "{place} must be {}, not {}",
-        wanted(place, expected),
-        given(found)
-    ))
+    let rest = message.strip_prefix("invalid type: ")?;
+    let (found, expected) = rest.split_once(", expected ")?;
+    let (wanted, given) = (wanted(place, expected), given(found));
+    Some(format!("{place} must be {wanted}, not {given}"))
 }
 
 /// Returns the words for a key that is missing, unknown or given twice.
 fn wrong_key(place: &str, message: &str) -> Option<String> {
-    let place = match place {
-        "" => "the scene",
-        _ => place,
-    };
+    let place = if place.is_empty() { "the scene" } else { place };
     let quoted = |text: &str| text.strip_suffix('`').map(str::to_owned);
     if let Some(key) = message.strip_prefix("missing field `") {
         return Some(format!("{place} has no {}: add it", quoted(key)?));
@@ -59,9 +47,8 @@ fn wrong_key(place: &str, message: &str) -> Option<String> {
     if let Some(key) = message.strip_prefix("duplicate field `") {
         return Some(format!("{place} has {} twice: remove one", quoted(key)?));
     }
-    let (key, expected) = message
-        .strip_prefix("unknown field `")?
-        .split_once("`, expected ")?;
+    let rest = message.strip_prefix("unknown field `")?;
+    let (key, expected) = rest.split_once("`, expected ")?;
     let keys = expected.trim_start_matches("one of ").replace('`', "");
     let keys = keys.replace(" or ", ", ");
     // The place is that of the key.
