@@ -54,19 +54,19 @@ pub struct Step {
     pub weight: f64,
     /// Weight of the path after the surface.
     pub weight_after: f64,
-    /// Colour cᵢ of the surface without reflections; black for a perfect mirror, which has none.
+    /// Colour cᵢ of the surface without reflections; black for a perfect mirror, which has no colour of its own.
     pub color: [f64; 3],
-    /// Indices of the lights that shine on the surface; empty for a perfect mirror. Of more than 31 lights,
-    /// the later ones are missing.
+    /// Indices of the lights that shine on the surface; empty for a perfect mirror. Of more than 32 lights only the
+    /// first 32 are told, and the light 32 places after one counts as that one.
     pub lights: Vec<usize>,
     /// Sum of the path up to this surface.
     pub sum: [f64; 3],
     /// Most that a component of the pixel's colour can still gain: the weight after the surface times
     /// [`Path::brightest`].
     pub bound: f64,
-    /// Where the ray starts that meets the surface, in scene units.
+    /// The point where the ray starts that meets the surface, in scene units.
     pub from: [f64; 3],
-    /// Where rays leave the surface, epsilon above it, in scene units.
+    /// The point where rays leave the surface: epsilon above it, in scene units.
     pub to: [f64; 3],
 }
 
@@ -92,6 +92,7 @@ pub struct Step {
 /// let step = &path.steps[0];
 /// assert_eq!((step.kind, step.index, step.alpha, step.weight), ("plane", 0, 0.5, 1.0));
 /// assert_eq!((path.end, path.pixel), (End::Missed, [128, 64, 128]));
+/// // The camera's ray. Nothing is above the floor, so no mirrored ray is followed.
 /// assert_eq!(path.rays, [[0.0, 0.0, -1.0]]);
 /// # Ok::<(), reflet::Error>(())
 /// ```
@@ -190,17 +191,20 @@ fn step<W: SceneAccess>(world: &W, met: &Met) -> Step {
     }
 }
 
-/// Colours are stored in 255 of 256 parts; this scales back.
+/// Shares of white from colours of the core, where white is 255/256.
 const SCALE: f64 = 256.0 / 255.0;
 
+/// Converts a component of a colour to a share of white.
 fn share(brightness: Brightness) -> f64 {
     brightness.to_num::<f64>() * SCALE
 }
 
+/// Converts a colour to shares of white.
 fn shares(color: Color) -> [f64; 3] {
     color.components().map(share)
 }
 
+/// Converts the sum of a path to shares of white.
 fn shares_of(sum: Sum) -> [f64; 3] {
     let step = SCALE / f64::from(1 << 24);
     sum.to_bits().map(|bits| f64::from(bits) * step)

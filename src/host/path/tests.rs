@@ -8,9 +8,10 @@ use super::*;
 use crate::host::file::{FileScene, built};
 use crate::host::reference;
 use crate::qualities::Exact;
+use crate::scene::Room;
 use crate::scenes::{self, BuiltIn, Empty, Floor, Mirror1, Visitor};
 use crate::shade::{BlinnPhong, Phong, Shading};
-use crate::{Camera, FrameBuilder};
+use crate::{Camera, FrameBuilder, Material, RuntimeScene};
 
 const SIZE: Size = Size::new(48, 36);
 
@@ -79,6 +80,29 @@ fn path_has_the_colour_of_its_pixel() {
             all_paths_are_drawn::<FileScene, Phong>(&scene, &camera, reflections);
         }
     }
+}
+
+#[test]
+fn ray_off_a_floor_starts_above_it_and_is_mirrored() {
+    let mut scene = RuntimeScene::<Room<1, 1, 0, 0, 1>>::new();
+    let glass = scene
+        .add_material(Material::new([1.0; 3]).mirror(0.5))
+        .unwrap();
+    scene.add_plane([0, 0, 0], [0, 0, 1], glass).unwrap();
+    scene.add_sphere([0, 0, 9], 1, glass).unwrap();
+    let camera = Camera::look_at([0.0, 0.0, 2.0], [0.0; 3], [0.0, 1.0, 0.0]);
+    let scene = scene.build().unwrap();
+    let frame = scene.frame(&camera).quality::<Exact>().reflections(1);
+    let frame = frame.prepare(Size::new(1, 1));
+    let path = path_of(&frame.on(&scene).unwrap(), (0, 0)).unwrap();
+    assert_eq!(path.rays, [[0.0, 0.0, -1.0], [0.0, 0.0, 1.0]]);
+    assert_eq!(path.steps[0].from, [0.0, 0.0, 2.0]);
+    // Two steps of the scene's grid, 2^-20 each or less.
+    let height = path.steps[1].from[2];
+    assert!(
+        (height - 1e-3).abs() <= 2.0 / f64::from(1 << 20),
+        "{height}"
+    );
 }
 
 #[test]

@@ -8,7 +8,7 @@ const CLOCKS: [(u32, u32); 3] = [
     (RCC + 0x44, 1 << 12),
 ];
 
-/// Registers and the values that run the core at 100 MHz: of the PLL, the voltage, and the choice of the PLL as its clock.
+/// Registers and the values for a core at 100 MHz: they set the PLL and the voltage, and choose the PLL as its clock.
 const FAST: [(u32, u32); 3] = [(RCC + 4, 200 << 6 | 25), (POWER, 3 << 14), (RCC + 8, 2)];
 
 /// Registers and the values that set up the SPI as the panel wants it, and let it request bytes from the DMA.
