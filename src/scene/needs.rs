@@ -108,7 +108,7 @@ macro_rules! needs {
 
             /// Returns name and level of each need that a limit may lower, the kinds of bounded shapes
             /// first.
-            const fn levels(&self) -> [(&'static str, u8); KINDS + 14] {
+            const fn levels(&self) -> [(&'static str, u8); KINDS + 15] {
                 [
                     $((stringify!($list), self.$list as u8),)*
                     $((stringify!($first), self.$first as u8),)*
@@ -122,7 +122,7 @@ macro_rules! needs {
             }
 
             /// Returns every need in words, the kinds of bounded shapes first.
-            pub const fn list(&self) -> [Need; KINDS + 15] {
+            pub const fn list(&self) -> [Need; KINDS + 16] {
                 [
                     $(Need::either(stringify!($list), self.$list, words::SHAPES),)*
                     $(Need::either(stringify!($first), self.$first, [$($why),*]),)*
@@ -162,6 +162,8 @@ kinds!(needs, {
         planes ["there are some", "there are none"];
         /// Whether the scene has lights, and shapes that they can light.
         lights ["there are some", "nothing is lit: ambient light only"];
+        /// Whether a light is near, or may be: no further away than the scene is large.
+        near_lights ["a light may be near", "every light is far away, as a sun is"];
         /// Whether a light is far away in comparison with the scene, or may be.
         far_lights ["a light may be far away in comparison with the scene", "every light is near"];
         /// Whether a light falls off with distance, or may.
@@ -194,6 +196,7 @@ impl Needs {
         Self {
             planes: planes > 0,
             lights: is_lit,
+            near_lights: is_lit,
             far_lights: is_lit,
             ranges: is_lit,
             // No ray crosses a plane, so a single plane hides no light from a visible surface that faces

@@ -116,7 +116,7 @@ fn strength_of<W: SceneAccess, V: Visibility, H: Highlight, const PRECISE: bool>
 ) -> Brightness {
     if !V::IS_KNOWN {
         strength::<W, V, H>(world, surface, visibility, (light, index))
-    } else if visibility.is_clear(index) && surface.place.is_near() {
+    } else if W::NEEDS.near_lights && visibility.is_clear(index) && surface.place.is_near() {
         near_strength::<W, V, H, PRECISE>(world, surface, visibility, (light, index))
     } else if H::SHADOWS && visibility.is_hidden(index) {
         Brightness::ZERO

@@ -95,7 +95,7 @@ impl<W: World, K: Shading, Q: Quality> Tracer<'_, W, K, Q> {
             return Some(true);
         }
         let lamp = light.light();
-        if W::NEEDS.far_lights && !lamp.place.is_near() {
+        if W::NEEDS.far_lights && !(W::NEEDS.near_lights && lamp.place.is_near()) {
             let towards = rays.ends.map(|end| lamp.sun().unwrap_or(end.reversed()));
             let is_open = self.visibility.is_open(index);
             return is_open.then(|| far_lights_all(world, &shown.lit, towards, suspects))?;

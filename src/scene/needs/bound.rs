@@ -74,6 +74,7 @@ impl Needs {
     pub const fn without_lights(self) -> Self {
         Self {
             lights: false,
+            near_lights: false,
             far_lights: false,
             ranges: false,
             shadows: false,

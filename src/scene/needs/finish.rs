@@ -57,6 +57,7 @@ impl Parts<'_> {
     pub(crate) const fn needs(&self) -> Needs {
         let [below, horizon, above] = self.background.colors();
         let mut needs = Needs {
+            near_lights: false,
             far_lights: false,
             ranges: false,
             highlights: false,
@@ -88,7 +89,9 @@ impl Parts<'_> {
 
 impl Needs {
     const fn add_light(&mut self, light: &PreparedLight) {
-        self.far_lights |= self.lights && !light.place.is_near();
+        let is_near = light.place.is_near();
+        self.near_lights |= self.lights && is_near;
+        self.far_lights |= self.lights && !is_near;
         self.ranges |= self.lights && light.is_ranged();
         self.colors |= !light.color.is_grey() && (self.lights || light.disc().is_some());
     }
