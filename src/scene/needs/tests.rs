@@ -108,6 +108,24 @@ fn color_of_a_light_or_the_background_is_no_grey() {
 }
 
 #[test]
+fn suns_and_lamps_are_told_apart() {
+    let kinds = |places: &[i32]| {
+        let needs = needs(|scene| {
+            let grey = scene.add_material(GREY)?;
+            for &place in places {
+                scene.add_light([place; 3], [1, 1, 1])?;
+            }
+            scene.add_sphere([0, 0, 0], 1, grey)
+        });
+        (needs.near_lights, needs.far_lights)
+    };
+    assert_eq!(kinds(&[]), (false, false));
+    assert_eq!(kinds(&[9]), (true, false));
+    assert_eq!(kinds(&[9000]), (false, true));
+    assert_eq!(kinds(&[9000, 9]), (true, true));
+}
+
+#[test]
 fn bound_names_the_first_need_beyond_it() {
     let all = Needs::ALL;
     assert_eq!(all.within(&all), Ok(()));
