@@ -181,6 +181,11 @@ impl<'a> Parts<'a> {
         }
     }
 
+    /// Tests whether the material with this number mirrors.
+    pub(crate) const fn mirrors(&self, material: MaterialId) -> bool {
+        material.index() < self.materials.len() && self.materials[material.index()].mirrors()
+    }
+
     /// Tests whether a material has no colour of its own.
     pub(crate) const fn has_blank(&self) -> bool {
         let mut index = 0;

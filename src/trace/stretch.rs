@@ -143,7 +143,7 @@ impl<'a, W: World, K: Shading, Q: Quality> Tracer<'a, W, K, Q> {
         }
         let keeps = steps > 0
             || !self.world.parts().has_bounded()
-            || if origin.level > 1 {
+            || if W::NEEDS.facing_mirrors && origin.level > 1 {
                 shown.ball.is_some() && is_clear_way(self.world, origin.eye, &shown.lit)
             } else {
                 self.keeps_front(between, origin, (stops, &shown), proved)
@@ -167,7 +167,7 @@ impl<'a, W: World, K: Shading, Q: Quality> Tracer<'a, W, K, Q> {
                 return false;
             }
         }
-        if origin.level < 2 {
+        if !W::NEEDS.facing_mirrors || origin.level < 2 {
             let stretch = Stretch {
                 columns: between.1,
                 shape: ShapeId::NONE,

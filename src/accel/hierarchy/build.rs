@@ -10,7 +10,6 @@ use crate::number::{square_root, to_u16, to_u32, unsigned_wide, wide};
 use crate::ray::BALL;
 use crate::scene::Parts;
 use crate::scene::shape_set::{SetLayout, ShapeSet};
-use crate::shape::MaterialId;
 use crate::vector::Point;
 
 /// Largest number of bounded shapes without a hierarchy. To test all of so few takes no longer.
@@ -58,21 +57,17 @@ impl<'a> Hierarchy<'a> {
 /// Tests whether a constant scene gains by a hierarchy: it has a mesh, a crowd under a far light, or at least two planes that
 /// mirror; or at least an eighth of its shapes mirror, each counted as the square of its ball's radius.
 pub(in crate::accel) const fn is_useful(parts: &Parts<'_>) -> bool {
-    let (mut planes, mut index) = (0, 0);
-    while index < parts.planes.len() {
-        planes += mirrors(parts, parts.planes[index].material) as u32;
-        index += 1;
-    }
     let (mut all, mut mirroring, mut shape) = (0, 0, 0);
     while let Some(((_, radius), material)) = parts.ball(shape) {
         // Radii are below 2²⁹, so the sum of 2¹⁵ squares fits.
         let square = unsigned_wide(wide(radius, radius)) >> 16;
         all += square;
-        mirroring += square * mirrors(parts, material) as u64;
+        mirroring += square * parts.mirrors(material) as u64;
         shape += 1;
     }
-    let is_sunlit_crowd = parts.bounded() > SUNLIT && parts.needs().far_lights;
-    planes > 1 || 8 * mirroring >= all || has_mesh(parts) || is_sunlit_crowd
+    let needs = parts.needs();
+    let is_sunlit_crowd = parts.bounded() > SUNLIT && needs.far_lights;
+    needs.facing_mirrors || 8 * mirroring >= all || has_mesh(parts) || is_sunlit_crowd
 }
 
 /// Largest number of bounded shapes of which a shadow ray to a far light asks all in less time than a hierarchy.
@@ -82,11 +77,6 @@ const SUNLIT: usize = 48;
 /// several, and a light's table names many that lie close together.
 pub(in crate::accel) const fn has_mesh(parts: &Parts<'_>) -> bool {
     parts.triangles.len() > 16
-}
-
-/// Tests whether a material of a scene mirrors.
-const fn mirrors(parts: &Parts<'_>, material: MaterialId) -> bool {
-    material.index() < parts.materials.len() && parts.materials[material.index()].mirrors()
 }
 
 /// Makes all nodes of a hierarchy if their number is [`Hierarchy::room`]. Else nothing reads them.

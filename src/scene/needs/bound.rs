@@ -65,7 +65,7 @@ impl Needs {
     /// Returns these needs without planes.
     #[must_use]
     pub const fn without_planes(mut self) -> Self {
-        self.planes = false;
+        (self.planes, self.facing_mirrors) = (false, false);
         self
     }
 
@@ -113,6 +113,7 @@ impl Needs {
             mirrors: Mirrors::None,
             reflections: 0,
             mirrored: false,
+            facing_mirrors: false,
             ..self
         }
     }

@@ -78,11 +78,15 @@ impl Parts<'_> {
             needs.add_material(self, material, &mut mirrors);
             index += 1;
         }
+        let mut mirroring = 0;
         index = 0;
         while index < self.planes.len() {
-            needs.add_material(self, self.planes[index].material, &mut mirrors);
+            let material = self.planes[index].material;
+            needs.add_material(self, material, &mut mirrors);
+            mirroring += self.mirrors(material) as usize;
             index += 1;
         }
+        needs.facing_mirrors = mirroring > 1;
         needs.of_mirrors(mirrors)
     }
 }
