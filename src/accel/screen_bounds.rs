@@ -45,8 +45,8 @@ macro_rules! rects {
                     );
                 }
                 let parts = world.parts();
-                // This tells the compiler to link no code for planes if the scene has none.
-                let plane = if W::NEEDS.planes { eye.plane } else { None };
+                // This tells the compiler to link no code for mirrors if no plane is one.
+                let plane = if W::NEEDS.plane_mirrors { eye.plane } else { None };
                 let eye = Eye { plane, ..*eye };
                 $(eye.look_at(parts.$list, self.$list.as_mut());)*
             }

@@ -147,6 +147,9 @@ impl<'a, W: World> ScreenCulling<'a, W> {
         (id, plane): (ShapeId, &PreparedPlane),
         window: &Window,
     ) -> bool {
+        if !W::NEEDS.plane_mirrors {
+            return false;
+        }
         let index = world.parts().plane_index(id);
         let bounds = self.bounds.zip(index);
         let rects = bounds.and_then(|(bounds, index)| bounds.mirrored(index));

@@ -108,7 +108,7 @@ macro_rules! needs {
 
             /// Returns name and level of each need that a limit may lower, the kinds of bounded shapes
             /// first.
-            const fn levels(&self) -> [(&'static str, u8); KINDS + 16] {
+            const fn levels(&self) -> [(&'static str, u8); KINDS + 17] {
                 [
                     $((stringify!($list), self.$list as u8),)*
                     $((stringify!($first), self.$first as u8),)*
@@ -122,7 +122,7 @@ macro_rules! needs {
             }
 
             /// Returns every need in words, the kinds of bounded shapes first.
-            pub const fn list(&self) -> [Need; KINDS + 17] {
+            pub const fn list(&self) -> [Need; KINDS + 18] {
                 [
                     $(Need::either(stringify!($list), self.$list, words::SHAPES),)*
                     $(Need::either(stringify!($first), self.$first, [$($why),*]),)*
@@ -160,6 +160,8 @@ kinds!(needs, {
     {
         /// Whether the scene has planes.
         planes ["there are some", "there are none"];
+        /// Whether a plane is a mirror, or may be.
+        plane_mirrors ["a plane may be a mirror", "no plane is a mirror"];
         /// Whether two planes may mirror a ray, one after the other.
         facing_mirrors ["two planes may be mirrors", "at most one plane is a mirror"];
         /// Whether the scene has lights, and shapes that they can light.
@@ -197,6 +199,7 @@ impl Needs {
         let is_lit = counts.lights > 0 && bounded + planes > 0;
         Self {
             planes: planes > 0,
+            plane_mirrors: planes > 0,
             facing_mirrors: planes > 1,
             lights: is_lit,
             near_lights: is_lit,

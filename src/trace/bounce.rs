@@ -91,7 +91,8 @@ impl<'a, W: World, K: Shading, Q: Quality> Tracer<'a, W, K, Q> {
         let bounded = if !parts.has_bounded() {
             Hit::NONE
         } else {
-            match (pixel, bounce.count, parts.plane(skip)) {
+            let plane = if W::NEEDS.plane_mirrors { parts.plane(skip) } else { None };
+            match (pixel, bounce.count, plane) {
                 (Pixel::Center(_, column), 0, _) => self.culling.direct(world, *column, ray),
                 (Pixel::Center(window, column), 1, Some(plane)) => {
                     let pixel = (*window, *column);

@@ -234,7 +234,7 @@ impl<'a, W: World, K: Shading, Q: Quality> Tracer<'a, W, K, Q> {
     #[inline(always)]
     fn is_bounded_after(&self, surface: &Surface<'_>, count: u32) -> bool {
         let parts = self.world.parts();
-        let is_plane = parts.plane_index(surface.shape).is_some();
+        let is_plane = W::NEEDS.plane_mirrors && parts.plane_index(surface.shape).is_some();
         is_plane && (count as usize) < STOPS
     }
 

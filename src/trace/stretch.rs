@@ -113,7 +113,8 @@ impl<'a, W: World, K: Shading, Q: Quality> Tracer<'a, W, K, Q> {
     /// Tests whether paths go on after a plane.
     #[inline(always)]
     fn mirrors(&self, plane: &PreparedPlane) -> bool {
-        K::REFLECTS && self.world.parts().material(plane.material).mirrors()
+        let is_mirror = || self.world.parts().material(plane.material).mirrors();
+        K::REFLECTS && W::NEEDS.plane_mirrors && is_mirror()
     }
 
     /// Tests whether all rays between two hit the same shape, lit by the same lights, and whether they hit one cell of its

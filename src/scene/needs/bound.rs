@@ -64,9 +64,13 @@ impl Needs {
 
     /// Returns these needs without planes.
     #[must_use]
-    pub const fn without_planes(mut self) -> Self {
-        (self.planes, self.facing_mirrors) = (false, false);
-        self
+    pub const fn without_planes(self) -> Self {
+        Self {
+            planes: false,
+            plane_mirrors: false,
+            facing_mirrors: false,
+            ..self
+        }
     }
 
     /// Returns these needs without lights, and so without shadows and highlights.
@@ -113,6 +117,7 @@ impl Needs {
             mirrors: Mirrors::None,
             reflections: 0,
             mirrored: false,
+            plane_mirrors: false,
             facing_mirrors: false,
             ..self
         }

@@ -86,7 +86,7 @@ impl Parts<'_> {
             mirroring += self.mirrors(material) as usize;
             index += 1;
         }
-        needs.facing_mirrors = mirroring > 1;
+        (needs.plane_mirrors, needs.facing_mirrors) = (mirroring > 0, mirroring > 1);
         needs.of_mirrors(mirrors)
     }
 }
