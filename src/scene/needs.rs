@@ -160,10 +160,6 @@ kinds!(needs, {
     {
         /// Whether the scene has planes.
         planes ["there are some", "there are none"];
-        /// Whether a plane is a mirror, or may be.
-        plane_mirrors ["a plane may be a mirror", "no plane is a mirror"];
-        /// Whether two planes may mirror a ray, one after the other.
-        facing_mirrors ["two planes may be mirrors", "at most one plane is a mirror"];
         /// Whether the scene has lights, and shapes that they can light.
         lights ["there are some", "nothing is lit: ambient light only"];
         /// Whether a light is near, or may be: no further away than the scene is large.
@@ -178,6 +174,10 @@ kinds!(needs, {
         highlights ["a specular coefficient is above 0", "no light shines on a specular surface"];
     }
     {
+        /// Whether a plane is a mirror, or may be.
+        plane_mirrors ["a plane may be a mirror", "no plane is a mirror"];
+        /// Whether two planes may mirror a ray, one after the other.
+        facing_mirrors ["two planes may be mirrors", "at most one plane is a mirror"];
         /// Whether the scene has more than one material.
         materials ["there are several", "there is one at most: its numbers are constants"];
         /// Whether a material has a checker, or may have one.

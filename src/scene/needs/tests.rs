@@ -29,6 +29,8 @@ fn full_scene_needs_everything() {
         let tiles = GREY.checker([0.5; 3], [1.0; 3]);
         let tiles = scene.add_material(tiles)?;
         let glass = scene.add_material(GREY.mirror(0.5))?;
+        scene.add_plane([0, 0, 9], [0, 0, 1], glass)?;
+        scene.add_plane([0, 9, 0], [0, 1, 0], glass)?;
         for x in [0, 3] {
             scene.add_sphere([x, 0, 0], 1, red)?;
             scene.add_cylinder([x, 3, 0], [0, 0, 1], 1, 1, glass)?;
@@ -123,6 +125,26 @@ fn suns_and_lamps_are_told_apart() {
     assert_eq!(kinds(&[9]), (true, false));
     assert_eq!(kinds(&[9000]), (false, true));
     assert_eq!(kinds(&[9000, 9]), (true, true));
+}
+
+#[test]
+fn mirroring_planes_are_counted() {
+    let planes = |mirrors: &[f64]| {
+        let needs = needs(|scene| {
+            let glass = scene.add_material(GREY.mirror(0.5))?;
+            scene.add_sphere([0, 0, 0], 1, glass)?;
+            for (place, mirror) in (2..).zip(mirrors) {
+                let wall = scene.add_material(GREY.mirror(*mirror))?;
+                scene.add_plane([0, 0, -place], [0, 0, 1], wall)?;
+            }
+            Ok(())
+        });
+        (needs.plane_mirrors, needs.facing_mirrors)
+    };
+    assert_eq!(planes(&[]), (false, false));
+    assert_eq!(planes(&[0.0, 0.0]), (false, false));
+    assert_eq!(planes(&[0.0, 0.5]), (true, false));
+    assert_eq!(planes(&[0.5, 1.0]), (true, true));
 }
 
 #[test]
