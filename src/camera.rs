@@ -154,29 +154,19 @@ impl Camera {
         if !Position([azimuth, elevation, Number::ZERO]).is_in_range() {
             return Err(Error::of("camera", ErrorKind::Coordinate));
         }
-        let CameraDescription {
-            position,
-            target,
-            up,
-            ..
-        } = self.description;
-        let offset = position
-            .minus(target)
-            .leading()
-            .ok_or(Error::of("camera", ErrorKind::View))?;
-        let axis = up.direction().ok_or(Error::of("camera", ErrorKind::Up))?;
+        let old = self.description;
+        let offset = old.position.minus(old.target).leading();
+        let offset = offset.ok_or(Error::of("camera", ErrorKind::View))?;
+        let axis = old.up.direction();
+        let axis = axis.ok_or(Error::of("camera", ErrorKind::Up))?;
         let raised = self
             .forward
             .reversed()
             .turned_towards(self.up, sine_and_cosine_of(elevation));
         let turned = raised.turned_about(axis, sine_and_cosine_of(azimuth));
-        Self::aimed(
-            CameraDescription {
-                position: target.plus(turned, offset),
-                ..self.description
-            },
-            Some(self.cotangent),
-        )
+        let position = old.target.plus(turned, offset);
+        let description = CameraDescription { position, ..old };
+        Self::aimed(description, Some(self.cotangent))
     }
 
     #[track_caller]
@@ -201,19 +191,15 @@ impl Camera {
         description: CameraDescription,
         cotangent: Option<Quotient>,
     ) -> Result<Self, Error> {
-        let CameraDescription {
-            position,
-            target,
-            up,
-            ..
-        } = description;
-        if !(position.is_in_range() && target.is_in_range() && up.is_in_range()) {
+        let wanted = &description;
+        let is_placed = wanted.position.is_in_range() && wanted.target.is_in_range();
+        if !(is_placed && wanted.up.is_in_range()) {
             return Err(Error::of("camera", ErrorKind::Coordinate));
         }
-        let Some(forward) = target.minus(position).direction() else {
+        let Some(forward) = wanted.target.minus(wanted.position).direction() else {
             return Err(Error::of("camera", ErrorKind::View));
         };
-        let Some(upward) = up.direction() else {
+        let Some(upward) = wanted.up.direction() else {
             return Err(Error::of("camera", ErrorKind::Up));
         };
         // If view and up were closer to parallel than 2⁻²⁴, rounding would decide where right is.

@@ -1,6 +1,5 @@
 //! The fingerprint of a scene: a number that lets a frame recognise the scene it was prepared for.
 
-use crate::camera::CameraDescription;
 use crate::material::Material;
 use crate::number::{Number, to_u32};
 use crate::ray::spread;
@@ -110,14 +109,9 @@ impl Fingerprint {
             index += 1;
         }
         if let Some(camera) = &scene.camera {
-            let CameraDescription {
-                position,
-                target,
-                up,
-                fov,
-            } = camera.description();
-            hash = hash.position(&position).position(&target).position(&up);
-            hash = hash.number(fov);
+            let it = camera.description();
+            hash = hash.positions(&[it.position, it.target, it.up]);
+            hash = hash.number(it.fov);
         }
         if let Some([low, high]) = &scene.motion {
             hash = hash.position(low).position(high);

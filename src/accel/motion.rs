@@ -74,11 +74,11 @@ use crate::vector::Position;
 ///
 /// | core | scene | move | preparation | flash |
 /// |---|---|--:|--:|--:|
-/// | m0 | castle | 3689 | 346504 | 103.5 % |
-/// | m0 | mirror1 | 2879 | 52120 | 104.2 % |
+/// | m0 | castle | 3689 | 346504 | 109.1 % |
+/// | m0 | mirror1 | 2879 | 52120 | 107.6 % |
 /// | m0 | primitives | 2699 | 20710 | 110.2 % |
-/// | m3 | castle | 2240 | 75238 | 110.2 % |
-/// | m3 | mirror1 | 1660 | 11681 | 111.2 % |
+/// | m3 | castle | 2240 | 75238 | 110.4 % |
+/// | m3 | mirror1 | 1660 | 11681 | 111.7 % |
 /// | m3 | primitives | 1547 | 5080 | 112.8 % |
 pub struct MovingScene<T: StaticScene>(Scene<T::Room>);
 

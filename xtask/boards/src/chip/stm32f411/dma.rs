@@ -45,8 +45,8 @@ pub fn write(it: &mut Registers<Kind>, address: u32, value: u32) -> Result<(), F
         require!(is_plain, "the DMA does not send bytes one after another");
         let flags = it.get(FLAGS) & OWN_FLAGS;
         require!(flags == 0, "the DMA's flags are not cleared");
-        let target = it.get(TARGET);
-        require!(target == SPI + 0x0c, "the DMA sends to {target:#010x}");
+        let (target, data) = (it.get(TARGET), SPI + super::SPI_DATA);
+        require!(target == data, "the DMA sends to {target:#010x}");
         require!(it.get(COUNT) > 0, "the DMA has nothing to send");
     }
     it.set(address, value);
