@@ -1,5 +1,5 @@
 //! What the path of a pixel meets, step by step, and what each surface adds to the pixel's colour. The colours are those
-//! of the quality `Exact`, to the bit; this file only converts them to doubles.
+//! that the quality `Exact` computes; this file only converts them to doubles, which loses no bit.
 
 use alloc::vec::Vec;
 
@@ -16,7 +16,7 @@ use crate::trace::{Met, Walked};
 
 /// The path of a pixel: c = Σᵢ (1 − αᵢ) · (Π over k < i of αₖ) · cᵢ, term by term. [`path_of`] returns it.
 ///
-/// All colours are linear, as shares of white.
+/// All colours are linear; white is `[1.0; 3]`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Path {
     /// The surfaces that the path meets, in order.
@@ -56,13 +56,13 @@ pub struct Step {
     pub weight_after: f64,
     /// Colour cᵢ of the surface without reflections; black for a perfect mirror, which has no colour of its own.
     pub color: [f64; 3],
-    /// Indices of the lights that shine on the surface; empty for a perfect mirror. Of more than 32 lights only the
-    /// first 32 are told, and the light 32 places after one counts as that one.
+    /// Indices of the lights that shine on the surface; empty for a perfect mirror. Of more than 32 lights, light 32
+    /// is listed as light 0, light 33 as light 1, and so on.
     pub lights: Vec<usize>,
     /// Sum of the path up to this surface.
     pub sum: [f64; 3],
-    /// Most that a component of the pixel's colour can still gain: the weight after the surface times
-    /// [`Path::brightest`].
+    /// Upper bound of what the path after this surface can add to a component of the pixel's colour:
+    /// `weight_after` times [`Path::brightest`].
     pub bound: f64,
     /// The point where the ray starts that meets the surface, in scene units.
     pub from: [f64; 3],

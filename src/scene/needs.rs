@@ -162,8 +162,8 @@ kinds!(needs, {
         planes ["there are some", "there are none"];
         /// Whether the scene has lights, and shapes that they can light.
         lights ["there are some", "nothing is lit: ambient light only"];
-        /// Whether a light is near, or may be: no further away than the scene is large.
-        near_lights ["a light may be near", "every light is far away, as a sun is"];
+        /// Whether a light is near in comparison with the scene, or may be.
+        near_lights ["a light may be near", "every light is far away, such as a sun"];
         /// Whether a light is far away in comparison with the scene, or may be.
         far_lights ["a light may be far away in comparison with the scene", "every light is near"];
         /// Whether a light falls off with distance, or may.

@@ -1,4 +1,4 @@
-//! Families that are hard for their planes or their cameras: sunk shapes, wide views, mirrors, and what is far away.
+//! Families that are hard because of their planes or cameras: sunk shapes, wide views, mirrors, and what is far away.
 
 use reflet::host::reference::Vector;
 

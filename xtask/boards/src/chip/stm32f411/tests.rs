@@ -1,20 +1,20 @@
 use super::table::{DMA, STREAM};
 use super::*;
 
-/// Registers and the values that enable the clocks of port A, DMA2, the power control and SPI1.
+/// Register writes that enable the clocks of port A, DMA2, the power control and SPI1.
 const CLOCKS: [(u32, u32); 3] = [
     (RCC + 0x30, 1 << 22 | 1),
     (RCC + 0x40, 1 << 28),
     (RCC + 0x44, 1 << 12),
 ];
 
-/// Registers and the values for a core at 100 MHz: they set the PLL and the voltage, and choose the PLL as its clock.
+/// Register writes for a core at 100 MHz: they set the PLL and the voltage, and make the PLL the clock of the core.
 const FAST: [(u32, u32); 3] = [(RCC + 4, 200 << 6 | 25), (POWER, 3 << 14), (RCC + 8, 2)];
 
-/// Registers and the values that set up the SPI as the panel wants it, and let it request bytes from the DMA.
+/// Register writes that set up the SPI as the panel needs it, and let it request bytes from the DMA.
 const SPI_ON: [(u32, u32); 2] = [(SPI, SPI_WANTED), (SPI + 4, TX_DMA_ENABLED)];
 
-/// Registers and the values that make the DMA send three bytes from RAM to the SPI. The last one starts it.
+/// Register writes that make the DMA send three bytes from RAM to the SPI. The last one starts it.
 const THREE_BYTES: [(u32, u32); 4] = [
     (STREAM + 4, 3),
     (STREAM + 8, SPI + SPI_DATA),
