@@ -34,8 +34,8 @@ impl Error {
         Self::new(part, None, kind)
     }
 
-    /// Creates an error of one of several parts, such as a sphere; `index` counts from 0 within its
-    /// kind.
+    /// Creates an error of a part of which a scene can have several, such as a sphere. `index` counts from 0
+    /// within its kind.
     pub(crate) const fn at(part: &'static str, index: usize, kind: ErrorKind) -> Self {
         Self::new(part, Some(index), kind)
     }

@@ -190,7 +190,8 @@ impl PreparedLight {
         }
     }
 
-    /// Returns the direction towards a sun whose disc is seen, and the cosine of half of its angle.
+    /// Returns the direction towards a sun, and the cosine of half the angle of its disc. `None` if no disc is
+    /// seen.
     pub(crate) const fn disc(&self) -> Option<(Direction, Unit)> {
         match (self.sun(), self.kind) {
             (Some(direction), Kind::Sun(cosine)) if cosine.to_bits() < NO_DISC.to_bits() => {

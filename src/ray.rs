@@ -249,7 +249,8 @@ impl PathSignature {
         self.0 & 1 == 1
     }
 
-    /// Tests whether two paths hit the same and have known bounds. Cells of checkers do not count.
+    /// Tests whether two paths hit the same shapes and lights, and whether this one has known bounds. Ignores
+    /// the cells of checkers.
     #[inline(always)]
     pub(crate) fn is_same_as(self, other: Self) -> bool {
         (self.0 ^ other.0) >> 2 == 0 && self.is_bounded()

@@ -26,7 +26,7 @@ pub struct LightLists([Coordinate; 3]);
 struct Coordinate {
     /// Smallest coordinate of a direction to a shape, as [`raised`] returns it.
     low: u32,
-    /// Number of low bits of a value, counted from `low`, that do not choose a set.
+    /// A coordinate's set has the index (coordinate - `low`) >> `shift`.
     shift: u32,
     sets: [ShapeSet; PARTS],
 }

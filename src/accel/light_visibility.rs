@@ -75,8 +75,8 @@ impl LightVisibility {
         }
     }
 
-    /// Tests whether no plane hides a light, and the light's own tables tell what bounded shapes hide.
-    /// `light` is the light's index.
+    /// Tests whether no plane hides a light, and the light's tables are enough to find what bounded shapes
+    /// hide from it. `light` is the light's index.
     #[inline(always)]
     pub(crate) fn is_clear(&self, light: usize) -> bool {
         // With more than 32 lights every bit is set.

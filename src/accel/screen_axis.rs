@@ -63,7 +63,7 @@ impl ScreenAxis {
     pub(super) fn sphere_columns(&self, way: Vector, radius: i32) -> Option<Columns> {
         let ahead = way.dot(self.ahead);
         if ahead <= radius {
-            // The sphere holds the eye or reaches behind it.
+            // A part of the sphere, or all of it, is not in front of the eye.
             return (ahead >= -radius).then_some(Columns::ALL);
         }
         self.visible(self.sphere_bounds(way, radius))

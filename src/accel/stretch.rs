@@ -44,7 +44,7 @@ impl Stretch<'_> {
     }
 }
 
-/// The straight line between the points at both ends. All points between are close to it.
+/// The straight line between the points that a stretch shows at its two ends. The points between lie close to it.
 pub(crate) struct Chord {
     /// Ball around all points.
     pub(crate) ball: Ball,
@@ -117,7 +117,7 @@ enum Meeting {
     Never,
     /// Every ray cuts the solid, in the same part of its surface.
     Always,
-    /// The solid begins or ends between the ends, or may do so.
+    /// A border or a rim of the solid lies between the ends, or may do so.
     Changes,
 }
 

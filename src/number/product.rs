@@ -1,8 +1,8 @@
 //! Exact products of two 32-bit numbers.
 //!
 //! A core with a long multiply takes one instruction for each of these products. Armv6-M (Cortex-M0) has
-//! no long multiply, and the compiler would call a product of 64 by 64 bits. There, a product is the sum
-//! of four products of 16 by 16 bits (Warren, Hacker's Delight, section 8-2). The result is the same.
+//! no long multiply, so the compiler would call a routine that multiplies 64 by 64 bits. There, a product is
+//! the sum of four products of 16 by 16 bits (Warren, Hacker's Delight, section 8-2). The result is the same.
 
 use super::narrow::narrowed;
 

@@ -55,7 +55,7 @@ pub struct Span<T> {
     /// Last column whose ray can hit the shape.
     pub(crate) last: u16,
     /// Whether all rays between the first and the last column cut the shape. Rays through these two
-    /// columns may pass it.
+    /// columns may miss it.
     pub(crate) is_sure: bool,
     /// Further columns after which another part of the shape may come to the front: where the rims of an
     /// open cylinder begin and end. Exact to one column to the right.

@@ -77,7 +77,7 @@ impl ScreenAxis {
     }
 }
 
-/// The furthest that a column counts from the middle of a picture, in sixteenths.
+/// Largest distance of a column from the middle of a picture, in sixteenths of a column. Greater ones are clamped.
 const FURTHEST: i32 = 1 << 23;
 
 /// Converts a length to sixteenths of a column, rounded down, but at most to twice [`FURTHEST`]. The length is

@@ -70,7 +70,7 @@ pub struct PreparedFrame<S: Drawable, Q = Fast, K = BlinnPhong> {
     kinds: PhantomData<Kinds<S, Q, K>>,
 }
 
-/// Marker for the kinds of a frame. As a function type it is always `Send` and `Sync`.
+/// Marker for a frame's types of scene, quality and shading. As a function type it is always `Send` and `Sync`.
 type Kinds<S, Q, K> = fn() -> (S, Q, K);
 
 impl<S: Drawable, Q, K> Clone for PreparedFrame<S, Q, K> {

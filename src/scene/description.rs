@@ -11,7 +11,7 @@ use crate::shape::Extent;
 use crate::shape::plane::Plane;
 use crate::vector::Position;
 
-/// Default epsilon in scene units: how far above a surface the rays start that leave it.
+/// Default epsilon in scene units: the height above a surface at which rays that leave the surface start.
 pub(super) const EPSILON: f64 = 1e-3;
 
 macro_rules! description {
@@ -62,7 +62,7 @@ macro_rules! description {
             pub background: [Number; 3],
             /// Sky that a ray shows where it hits nothing; `None` if the background has one colour.
             pub sky: Option<Sky>,
-            /// Distance above a surface at which the rays start that leave it, in scene units; see
+            /// Height above a surface at which rays that leave the surface start, in scene units; see
             /// [`SceneBuilder::epsilon`](crate::SceneBuilder::epsilon).
             pub epsilon: Number,
             /// Camera that the scene is usually viewed with, if it has one.

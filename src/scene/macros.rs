@@ -7,8 +7,8 @@
 use super::builder::SceneBuilder;
 use super::capacity::{Capacity, Counts};
 
-/// The lines of a [`scene!`](crate::scene) as constants. They are items of a trait, because the lines
-/// would see the name of any other constant.
+/// The lines of a [`scene!`](crate::scene) as constants. They are items of a trait, because a plain constant
+/// would be visible in the user's lines.
 pub trait SceneLines {
     /// Number of parts of each kind.
     const COUNTS: Counts;
@@ -20,8 +20,8 @@ pub trait SceneLines {
     const NAMES: &'static [(&'static str, &'static str)];
 }
 
-/// The types of the parts' descriptions, by the names of the parts. Only bounded shapes can move:
-/// `SceneBuilder` refuses to name other parts.
+/// Types of the parts, each under the name that its lines have in [`scene!`](crate::scene). Only bounded
+/// shapes can move: `SceneBuilder::moves_as` rejects other parts.
 pub mod described {
     pub use crate::light::Light as light;
     pub use crate::light::Light as light_with_range;

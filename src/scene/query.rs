@@ -105,7 +105,7 @@ fn far_hit<W: SceneAccess>(
     nearest_hit(world, ray, skip)
 }
 
-/// Tests whether a shape occludes a light: whether the ray to it hits one more than epsilon before it.
+/// Tests whether a shape occludes a light: whether the ray to the light hits a shape more than epsilon before it.
 ///
 /// Skips the shape that the ray leaves. The light is `distance` · 2^`scale` steps away. All planes are
 /// tested, and the bounded shapes among `candidates`; all bounded shapes if `scale` is not 0.

@@ -118,8 +118,8 @@ pub(crate) fn begins_sharply<K: Shading>(shininess: Exponent) -> bool {
     K::TURNS > 0 && shininess.next_integer() <= 2
 }
 
-/// Tests whether a highlight may begin or end between two points, from its deviations there in Q4.28. Between them, the
-/// deviation is at most `bend` off the line. It begins where the deviation is √2, at a right angle.
+/// Tests whether a highlight may begin or end between two points with these deviations, in Q4.28. Between them, the
+/// deviation is at most `bend` off a straight line. A highlight begins at a deviation of length √2, a right angle.
 pub(super) fn may_begin([one, other]: [Vector; 2], bend: i32) -> bool {
     /// √2 in Q4.28, and what both bounds may be off.
     const RIGHT_ANGLE: i32 = 379_625_062;

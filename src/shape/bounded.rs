@@ -98,9 +98,9 @@ pub trait Bounded: Copy + Debug + 'static {
     }
 }
 
-/// Largest distance in steps between a hit and the end of a range that may leave it out. A sphere is left
-/// out by its distance minus its radius, a disc by an exact fraction: both may differ from the distance of
-/// the hit by 16 steps and its rounding.
+/// A hit may be missed if it lies fewer steps than this before the end of a range. A sphere is skipped by its
+/// distance minus its radius, a disc by an exact fraction. Both may differ from the hit's distance by 16 steps
+/// and its rounding.
 pub const SURE: i32 = 64;
 
 /// Interval of distances along a ray, in steps: above `start` and below `reach`.

@@ -101,8 +101,8 @@ enum Axis {
 }
 
 impl Upright {
-    /// Tests whether the plane with this normal and offset is perpendicular to an axis and at most 2³⁰
-    /// steps from the middle of the scene. `offset` has 30 fraction bits.
+    /// Returns [`Self::Yes`] if the plane with this normal and offset is perpendicular to an axis and at most
+    /// 2³⁰ steps from the middle of the scene. `offset` has 30 fraction bits.
     const fn new(normal: Direction, offset: i64) -> Self {
         const ONE: i32 = Unit::ONE.to_bits();
         const MOST: i64 = 1 << 30;

@@ -44,7 +44,7 @@ impl<'a> PlaneLine<'a> {
         })
     }
 
-    /// Returns the last column of those from the first on whose points are like the first one's, found by bisection.
+    /// Bisects for the last column whose point is like the first column's. All columns before it must be alike, too.
     #[inline(always)]
     pub(super) fn last_column(&self, is_like: impl Fn(ScaledPoint) -> bool) -> u32 {
         let [mut before, mut after] = self.columns;

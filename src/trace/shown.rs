@@ -115,8 +115,8 @@ fn normals<'a>(
     Some((normals, parts.material(material)))
 }
 
-/// Smallest cosine between the normal and the view for which five pixels show a surface that turns by more than
-/// [`LARGEST_TURN`]: 0.3. Nearer to the outline, the normal turns ever faster from column to column.
+/// Smallest cosine between normal and view, 0.3, at which five pixels are enough for a normal that turns by more
+/// than [`LARGEST_TURN`]. Nearer to the outline, the normal turns ever faster from column to column.
 const GRAZED: Unit = Unit::from_bits((1 << 30) / 10 * 3);
 
 /// What a cosine of a curved surface may be off by, and more: 2⁻¹⁶.

@@ -14,7 +14,7 @@ const INFINITE: f64 = f64::INFINITY;
 /// The largest coordinate, 2³⁰, and what is just beyond it.
 const LIMIT: f64 = 1_073_741_824.0;
 const BEYOND: f64 = LIMIT + 0.001;
-/// What no number in a scene may be.
+/// Values that no number in a scene may have.
 const UNHEARD_OF: [f64; 4] = [NAN, INFINITE, -INFINITE, 1e300];
 const ORIGIN: Triple = [0.0; 3];
 const UP: Triple = [0.0, 0.0, 1.0];

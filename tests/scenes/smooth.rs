@@ -154,7 +154,7 @@ fn thin_rod_that_turns_covers_the_same_area() {
     let least = areas.iter().copied().fold(f64::MAX, f64::min);
     let most = areas.iter().copied().fold(0.0, f64::max);
     println!("{least:.1} to {most:.1} pixels");
-    // A quarter of a pixel for each of the 89 columns that the rod crosses, at most.
+    // The rod crosses at most 89 columns or rows. Each may be off by at most a quarter of a pixel.
     assert!(most - least <= 0.25 * 89.0, "{areas:?}");
     assert!(most / least < 1.02, "{areas:?}");
 }

@@ -41,7 +41,7 @@ pub struct Owned {
     /// Milliseconds in which the board sends a frame: the emulated board takes them for the scene `empty`, of
     /// which hardly anything is traced.
     pub sending: f64,
-    /// Milliseconds of these in which a DMA sends, so that the next rows can be traced.
+    /// Milliseconds of `sending` during which a DMA sends, so that the next rows can be traced.
     pub hidden: f64,
     /// Milliseconds of a frame of the demo while something moves, as its program says.
     pub frame: u32,

@@ -32,8 +32,8 @@ impl<'a> Hierarchy<'a> {
         bounded.next_power_of_two()
     }
 
-    /// Makes the hierarchy of a scene in the first of these nodes. Returns none if the nodes are too few
-    /// or not needed.
+    /// Makes the hierarchy of a scene in the first nodes of `memory`. Returns [`Self::NONE`] if `memory` is
+    /// too short, or if the scene has too few or too many bounded shapes.
     pub(in crate::accel) const fn of(parts: &Parts<'_>, memory: &'a mut [HierarchyNode]) -> Self {
         let room = Self::room(parts.bounded());
         if room == 0 {

@@ -90,7 +90,8 @@ fn what_f64_reads_is_read_and_nothing_else() {
     }
 }
 
-/// An `f64` is off by half of its own step, which is at most 2⁻⁵² of its value.
+/// Asserts that the number is within half a step of the nearest `f64`, plus 2⁻⁶⁴. A step of an `f64` is at
+/// most 2⁻⁵² of its value.
 #[track_caller]
 fn assert_near_f64(text: &str) {
     let (found, float) = (bits(text), text.parse::<f64>().unwrap());

@@ -152,7 +152,7 @@ impl<W: World, K: Shading, Q: Quality, M: Marks> Colors<'_, '_, W, K, Q, M> {
     }
 }
 
-/// Tests whether the paths of two traced pixels met the same, and have known bounds.
+/// Tests whether the paths of two traced pixels hit the same shapes and lights, and have known bounds.
 #[inline(always)]
 fn is_alike([start, end]: [&End; 2]) -> bool {
     start.traced.signature.is_same_as(end.traced.signature)

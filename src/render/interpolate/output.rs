@@ -102,8 +102,8 @@ impl<W: World, K: Shading, Q: Quality, M: Marks> Colors<'_, '_, W, K, Q, M> {
         self.trace(column, UNREAD).traced
     }
 
-    /// Fills `pixels` with the next colours, each converted by `shown`. All pixels must lie in the
-    /// picture. They may end within a parabola, so no further colour of the row may be asked for.
+    /// Fills `pixels` with the next colours, each converted by `shown`. All pixels must lie in the picture.
+    /// The last parabola may be cut short, so the row must not be asked for any further colour.
     #[inline(always)]
     pub(crate) fn fill<C: Copy>(&mut self, pixels: &mut [C], shown: impl Fn(Sum) -> C) {
         if !Tracer::<W, K, Q>::IS_INTERPOLATED {

@@ -118,7 +118,7 @@ impl Line {
         ((line + 1) << 14) | (first / CHUNK) << 3 | flag
     }
 
-    /// Tests whether this is the line that [`Line::begin`] makes it with these arguments.
+    /// Tests whether [`Line::begin`] with these arguments makes this line.
     pub(super) fn is_of(&self, at: [u32; 2], is_divided: bool) -> bool {
         self.place & !(Self::FLAT | Self::ONE) == Self::place_of(at, is_divided)
     }

@@ -32,8 +32,8 @@ fn met(origin: [i32; 3], towards: [i32; 3]) -> Option<i32> {
     steps(intersect(&tube(), &ray(origin, towards), EVERYWHERE))
 }
 
-/// Asserts that a ray hits the upright cylinder at the distance `truth`, in steps, within the error of
-/// three factors that are rounded to 2⁻³⁰ to 2⁻²⁷.
+/// Asserts that a ray hits the upright cylinder at the distance `truth`, in steps. The allowed error is that
+/// of three factors, each rounded to 2⁻³⁰ to 2⁻²⁷.
 fn assert_met(origin: [i32; 3], towards: [i32; 3], truth: i32) {
     let distance = met(origin, towards).unwrap();
     assert!((distance - truth).abs() <= 4, "{distance}, not {truth}");

@@ -182,7 +182,7 @@ fn reach_ends_before_the_distance_it_names_and_start_at_the_one_it_names() {
     let ray = ray([0, 0, 4 * RADIUS], [0, 0, -1]);
     let distance = intersect(&disc, &ray, EVERYWHERE).unwrap();
     assert_eq!(intersect(&disc, &ray, distance), None);
-    // The distance is rounded down by up to a step. The reach is also compared with the unrounded one.
+    // The distance is rounded down by up to a step. The distance before rounding must be below the reach, too.
     let further = Length::from_bits(distance.to_bits() + 2);
     assert_eq!(intersect(&disc, &ray, further), Some(distance));
     assert!(disc.blocks(&ray, further) && !disc.blocks(&ray, distance));

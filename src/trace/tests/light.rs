@@ -237,7 +237,7 @@ fn floor_is_dark_where_something_hides_the_light() {
         })
     };
     assert_eq!(dot(0.0), 0.0);
-    // The sphere's radius counts √(1/2) on each axis.
+    // The sphere moves by x along two axes, so its centre is √2 · x from the ray to the light.
     let rim = 0.125 * 0.5_f64.sqrt();
     for (x, hides) in [
         (rim - 1e-3, true),
@@ -429,7 +429,7 @@ fn miss_is_the_sky_in_the_direction_of_the_ray() {
             );
         }
     }
-    // A path below the horizon is another one.
+    // Paths that end in the sky above and below the horizon have different notes in their signatures.
     assert_ne!(seen(0.01).1, seen(-0.01).1);
 }
 

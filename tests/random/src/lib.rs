@@ -140,7 +140,7 @@ fn add_light(numbers: &mut Numbers, scene: &mut Scenery, has_ranges: bool) -> Re
     let mut color = || Ok([numbers.brightness()?, numbers.brightness()?, 1.0]);
     let (colors, sun) = (three(&mut color)?, color()?);
     scene.set_sky(numbers.way()?, colors)?;
-    // Under a sky there may be a sun with a disc. If there are lights enough, it is refused.
+    // Half of the skies get a sun with a disc. The sun is refused if the scene's list of lights is full.
     if numbers.bytes.ratio(1, 2)? {
         let degrees = 90.0 * numbers.share()?;
         let _ = scene.add_sun(numbers.way()?, sun, degrees);

@@ -23,8 +23,8 @@ impl Clock {
         Reading(source::now())
     }
 
-    /// The instructions since a reading, up to 1.3 thousand million; what is done between must be
-    /// kept there with [`core::hint::black_box`].
+    /// Returns the instructions since a reading, up to 1.3 thousand million. The caller must keep the
+    /// measured work between the readings with [`core::hint::black_box`].
     #[inline(always)]
     pub fn since(&self, start: Reading) -> u32 {
         let ticks = source::now().wrapping_sub(start.0);

@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize};
 use super::{Weight, outcome::Outcome, pixels, task::Task, words};
 use crate::table::{cell, rounded};
 
-/// One row. In JSON the keys are the names of the fields.
+/// The figures of one measurement: one row of a table. In JSON the keys are the names of the fields.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Figures {

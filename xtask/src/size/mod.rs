@@ -32,7 +32,7 @@ pub struct Arguments {
     #[arg(value_name = "SCENE", value_parser = PossibleValuesParser::new(scenes::NAMES))]
     scene: Option<String>,
 
-    /// Print a line of JSON for each instead of a table
+    /// Print a line of JSON for each firmware instead of a table
     #[arg(long)]
     json: bool,
 }

@@ -133,8 +133,8 @@ impl Bound {
     }
 }
 
-/// Distance from a pixel's ray at which four rays beside it must take the same path, in pixels; else the
-/// pixel is unsure.
+/// Distance in pixels from a pixel's ray to four rays beside it. Where one of the four takes another path,
+/// the pixel is unsure.
 const BESIDE: f64 = 1.0 / 32.0;
 
 /// Smallest value of the distance [`BESIDE`] as an angle, in radians: 2⁻¹⁴, four times the error 2⁻¹⁶ of

@@ -73,7 +73,7 @@ impl Dma {
         Ok(())
     }
 
-    /// Returns the SPI unit to which the channel sends. `None` if it does not work.
+    /// Returns the SPI unit to which the channel sends. `None` if the channel is idle.
     pub fn unit(&self, spi: [u32; 2]) -> Result<Option<usize>, Fault> {
         if self.left == 0 {
             return Ok(None);

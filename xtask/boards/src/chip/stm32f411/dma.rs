@@ -15,7 +15,7 @@ const FIFO: u32 = STREAM + 0x14;
 const FLAGS: u32 = DMA;
 const CLEARED: u32 = DMA + 0x08;
 
-/// Flags of stream 3: all of them, and that it is complete.
+/// Flags of stream 3: the mask of all, and the one that is set when a transfer is complete.
 const OWN_FLAGS: u32 = 0x3d << 22;
 const COMPLETE: u32 = 1 << 27;
 
@@ -53,7 +53,7 @@ pub fn write(it: &mut Registers<Kind>, address: u32, value: u32) -> Result<(), F
     Ok(())
 }
 
-/// Returns the next byte that the stream sends. `None` if it does not work.
+/// Returns the next byte that the stream sends. `None` if the stream is idle.
 pub fn next(it: &mut Registers<Kind>, memory: &Memory) -> Result<Option<u8>, Fault> {
     if it.get(CONTROL) & ENABLED == 0 {
         return Ok(None);
