@@ -91,7 +91,7 @@ pub enum Samples {
 const SMOOTH: u64 = 1 << 29;
 
 /// Largest square of the change times s, in Q34.30, for which five pixels show it.
-const BENT: u64 = 8 << 30;
+const BENT: u64 = 6 << 30;
 
 /// Smallest square of the distance from zero times s, in Q34.30, for which a highlight is dark: below e⁻⁸.
 const DARK: u64 = 16 << 30;
