@@ -76,56 +76,33 @@ impl Coordinate {
     }
 }
 
-macro_rules! light_lists {
-    (
-        $header:tt
-        $({ $list:ident $kind:ident $described:ident $prepared:ident $($more:tt)* })*
-    ) => {
-        /// Returns the smallest and the largest value of one coordinate in the directions from a light to
-        /// all shapes.
-        const fn range(light: Point, parts: &Parts<'_>, axis: usize) -> (i32, i32) {
-            let (mut low, mut high) = (MOST, -MOST);
-            $(
-                let mut index = 0;
-                while index < parts.$list.len() {
-                    let mut link = 0;
-                    while link < crate::shape::$prepared::LINKS {
-                        let own = ball_range(light, parts.$list[index].link(link), axis);
-                        low = if own.0 < low { own.0 } else { low };
-                        high = if own.1 > high { own.1 } else { high };
-                        link += 1;
-                    }
-                    index += 1;
-                }
-            )*
-            if low < high { (low, high) } else { ALL }
-        }
-
-        /// Returns the sets of one coordinate of the directions from a light.
-        const fn coordinate(light: Point, parts: &Parts<'_>, axis: usize) -> Coordinate {
-            let layout = SetLayout::new(parts.lengths());
-            let mut found = Coordinate::new(range(light, parts, axis));
-            let kind = 0;
-            $(
-                let mut index = 0;
-                while index < parts.$list.len() {
-                    let mut link = 0;
-                    while link < crate::shape::$prepared::LINKS {
-                        let own = ball_range(light, parts.$list[index].link(link), axis);
-                        found.add(own, ShapeSet::of(layout.bit(kind, index)));
-                        link += 1;
-                    }
-                    index += 1;
-                }
-                let kind = kind + 1;
-            )*
-            let _ = kind;
-            found
-        }
-    };
+/// Returns the smallest and the largest value of one coordinate in the directions from a light to all
+/// shapes.
+const fn range(light: Point, parts: &Parts<'_>, axis: usize) -> (i32, i32) {
+    let (mut low, mut high) = (MOST, -MOST);
+    let mut number = 0;
+    while let Some((ball, _)) = parts.link(number) {
+        let own = ball_range(light, ball, axis);
+        low = if own.0 < low { own.0 } else { low };
+        high = if own.1 > high { own.1 } else { high };
+        number += 1;
+    }
+    if low < high { (low, high) } else { ALL }
 }
 
-kinds!(light_lists);
+/// Returns the sets of one coordinate of the directions from a light.
+const fn coordinate(light: Point, parts: &Parts<'_>, axis: usize) -> Coordinate {
+    let lengths = parts.lengths();
+    let layout = SetLayout::new(lengths);
+    let mut found = Coordinate::new(range(light, parts, axis));
+    let mut number = 0;
+    while let Some((ball, shape)) = parts.link(number) {
+        let own = ball_range(light, ball, axis);
+        found.add(own, ShapeSet::of(layout.bit_of(lengths, shape)));
+        number += 1;
+    }
+    found
+}
 
 /// Returns the smallest and the largest value of one coordinate in the directions from a light that hit a ball.
 const fn ball_range(light: Point, (center, radius): (Point, i32), axis: usize) -> (i32, i32) {

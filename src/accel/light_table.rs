@@ -161,47 +161,29 @@ impl CellSets {
     }
 }
 
-macro_rules! light_table {
-    (
-        $header:tt
-        $({ $list:ident $kind:ident $described:ident $prepared:ident $($more:tt)* })*
-    ) => {
-        impl LightTable {
-            /// Makes the table of a light. If the light is far, every direction holds every shape.
-            pub(crate) const fn around(light: ScaledPoint, parts: &Parts<'_>) -> Self {
-                if !light.is_near() {
-                    return Self::ALL;
-                }
-                let layout = SetLayout::new(parts.lengths());
-                let mut cells = CellSets::NONE;
-                let kind = 0;
-                $(
-                    let mut index = 0;
-                    while index < parts.$list.len() {
-                        let shape = ShapeSet::of(layout.bit(kind, index));
-                        if parts.moving.meets(shape) {
-                            // It may be anywhere.
-                            cells.add_ball(Vector::ZERO, 1, shape);
-                        }
-                        let mut link = 0;
-                        while link < crate::shape::$prepared::LINKS {
-                            let (center, radius) = parts.$list[index].link(link);
-                            cells.add_ball(light.point.to(center), radius, shape);
-                            link += 1;
-                        }
-                        index += 1;
-                    }
-                    let kind = kind + 1;
-                )*
-                let _ = kind;
-                Self::of(&cells)
-            }
-        }
-    };
-}
-kinds!(light_table);
-
 impl LightTable {
+    /// Makes the table of a light. If the light is far, every direction holds every shape.
+    pub(crate) const fn around(light: ScaledPoint, parts: &Parts<'_>) -> Self {
+        if !light.is_near() {
+            return Self::ALL;
+        }
+        let lengths = parts.lengths();
+        let layout = SetLayout::new(lengths);
+        let mut cells = CellSets::NONE;
+        let mut number = 0;
+        while let Some(((center, radius), shape)) = parts.link(number) {
+            let shape = ShapeSet::of(layout.bit_of(lengths, shape));
+            if parts.moving.meets(shape) {
+                // It may be anywhere.
+                cells.add_ball(Vector::ZERO, 1, shape);
+            } else {
+                cells.add_ball(light.point.to(center), radius, shape);
+            }
+            number += 1;
+        }
+        Self::of(&cells)
+    }
+
     /// Makes the tables of all lights of a scene, in their order. Unused places hold every shape.
     pub(super) const fn of_lights<const L: usize>(parts: &Parts<'_>) -> [Self; L] {
         let mut tables = [Self::ALL; L];

@@ -114,6 +114,23 @@ macro_rules! parts {
                 None
             }
 
+            /// Returns a ball around a part of a bounded shape, and the shape's number. `number` counts the balls that
+            /// cover the shapes of all kinds.
+            pub(crate) const fn link(&self, number: usize) -> Option<((Point, i32), usize)> {
+                let first = 0;
+                $(
+                    let links = crate::shape::$prepared::LINKS;
+                    if number < links * self.$list.len() {
+                        let ball = self.$list[number / links].link(number % links);
+                        return Some((ball, first + number / links));
+                    }
+                    let number = number - links * self.$list.len();
+                    let first = first + self.$list.len();
+                )*
+                let _ = (number, first);
+                None
+            }
+
             /// Tests whether a near point lies inside of a closed shape, such as a sphere.
             pub(crate) fn hold(&self, point: Point) -> bool {
                 $(self.$list.iter().any(|shape| shape.holds(point)))||*

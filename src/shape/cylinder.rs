@@ -14,7 +14,9 @@ use super::bounded::{Bounded, LightRay, Own, Range};
 use super::{Extent, MaterialId, Normaliser, SMALLEST, size_fault};
 use crate::error_kind::ErrorKind;
 use crate::grid::Grid;
-use crate::number::{Length, Number, narrowed, square_root, to_u8, unsigned_wide, wide};
+use crate::number::{
+    Length, Number, narrowed, signed, square_root, to_u8, to_u32, unsigned_wide, wide,
+};
 use crate::ray::Ray;
 use crate::vector::{Direction, Point, Position, Vector};
 
@@ -173,24 +175,25 @@ impl PreparedCylinder {
     }
 
     /// Number of balls in the chain that covers the wall of a cylinder.
-    pub(crate) const LINKS: i32 = 8;
+    pub(crate) const LINKS: usize = 8;
 
     /// Returns centre and radius, in steps, of one ball of a chain along the axis. All [`Self::LINKS`]
     /// balls together cover the cylinder's wall. `number` counts from 0.
-    pub(crate) const fn link(&self, number: i32) -> (Point, i32) {
+    pub(crate) const fn link(&self, number: usize) -> (Point, i32) {
+        let [number, links] = [signed(to_u32(number)), signed(to_u32(Self::LINKS))];
         let (center, half_axis, radius) = self.capsule();
         let step = Vector::new(
-            half_axis.x / Self::LINKS,
-            half_axis.y / Self::LINKS,
-            half_axis.z / Self::LINKS,
+            half_axis.x / links,
+            half_axis.y / links,
+            half_axis.z / links,
         );
-        let steps = 2 * number + 1 - Self::LINKS;
+        let steps = 2 * number + 1 - links;
         let at =
             center
                 .to_vector()
                 .plus(Vector::new(step.x * steps, step.y * steps, step.z * steps));
         let square = unsigned_wide(wide(radius, radius)) + step.square();
-        let reach = square_root(square) + Self::LINKS;
+        let reach = square_root(square) + links;
         (Point::at(at), reach)
     }
 }

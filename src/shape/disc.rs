@@ -104,10 +104,10 @@ impl PreparedDisc {
     pub(crate) const SMALLEST_INSIDE: i32 = 2;
 
     /// Number of balls that together cover a disc.
-    pub(crate) const LINKS: i32 = 1;
+    pub(crate) const LINKS: usize = 1;
 
     /// Returns centre and radius, in steps, of the ball that covers the disc.
-    pub(crate) const fn link(&self, _: i32) -> (Point, i32) {
+    pub(crate) const fn link(&self, _: usize) -> (Point, i32) {
         self.ball()
     }
 

@@ -165,10 +165,10 @@ impl PreparedSphere {
     }
 
     /// Number of balls that together cover a sphere.
-    pub(crate) const LINKS: i32 = 1;
+    pub(crate) const LINKS: usize = 1;
 
     /// Returns the ball that covers the sphere, which is the sphere itself: centre and radius in steps.
-    pub(crate) const fn link(&self, _: i32) -> (Point, i32) {
+    pub(crate) const fn link(&self, _: usize) -> (Point, i32) {
         self.ball()
     }
 
