@@ -203,39 +203,16 @@ impl RowDirections {
     /// Returns the direction of the ray through the pixel of a column, which is below 2¹⁶.
     #[inline(always)]
     pub(crate) fn of(&self, column: u32) -> Direction {
+        // Four times the signed distance of the pixel from the middle of the row.
+        let aside = (stepped(self.aside, self.step_aside, column) >> 32) as i32;
+        let square = self.square + unsigned_wide(wide(aside >> 2, aside >> 2));
         // The vector to a pixel is below 2⁶¹ (`Camera::generator`), and that to the column after the picture, where smooth
         // edges have corners, below 2⁶². So the sum does not wrap.
-        self.towards(self.aside(column))
-    }
-
-    /// Returns the direction of a ray. `aside` is four times the signed distance of its point from the middle of the row.
-    #[inline(always)]
-    fn towards(&self, aside: i32) -> Direction {
-        let square = self.square + unsigned_wide(wide(aside >> 2, aside >> 2));
-        self.way(aside).direction_of_square(square)
-    }
-
-    /// Returns the vector from the camera to a pixel, below 2²⁹. `aside` is four times the signed
-    /// distance of the pixel from the middle of the row.
-    #[inline(always)]
-    fn way(&self, aside: i32) -> Vector {
-        let [x, y, z] = self.middle;
-        let right = self.right.raw();
+        let ([x, y, z], right) = (self.middle, self.right.raw());
         let at = |middle: i64, right: i32| ((middle + wide(right, aside)) >> 32) as i32;
-        Vector::new(at(x, right.x), at(y, right.y), at(z, right.z))
+        let way = Vector::new(at(x, right.x), at(y, right.y), at(z, right.z));
+        way.direction_of_square(square)
     }
-
-    /// Returns four times the signed distance from the middle of the row to the pixel of a column.
-    #[inline(always)]
-    fn aside(&self, column: u32) -> i32 {
-        at(self.aside, self.step_aside, column)
-    }
-}
-
-/// Returns the high 32 bits of `start` + `step` · `column`.
-#[inline(always)]
-fn at(start: i64, step: i64, column: u32) -> i32 {
-    (stepped(start, step, column) >> 32) as i32
 }
 
 /// Returns the coordinates of a direction as raw Q2.30 bits.

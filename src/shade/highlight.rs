@@ -132,7 +132,11 @@ impl<H: Highlight> sealed::Shading for H {
         surface: &Surface<'_>,
         visibility: &V,
     ) -> Lit {
-        lit_color::<W, Q, V, Self>(world, surface, visibility)
+        if Q::IS_PRECISE {
+            lit_color::<W, V, Self, true>(world, surface, visibility)
+        } else {
+            lit_color::<W, V, Self, false>(world, surface, visibility)
+        }
     }
 
     #[inline(always)]

@@ -15,7 +15,6 @@ use highlight::{Cosines, Highlight};
 use crate::color::{Color, Lighting};
 use crate::light::PreparedLight;
 use crate::number::{Brightness, Length, Unit, bit_modulo_32, lit};
-use crate::qualities::Quality;
 use crate::ray::{REACH, ScaledPoint, ScaledRay};
 use crate::scene::Surface;
 use crate::scene::access::SceneAccess;
@@ -33,23 +32,10 @@ pub struct Lit {
 }
 
 /// Returns the light that a surface sends to the viewer: (ambient + Σ (diffuse n·l + specular
-/// sˢʰⁱⁿⁱⁿᵉˢˢ) · light) · colour of the material. The sum is over all visible lights.
+/// sˢʰⁱⁿⁱⁿᵉˢˢ) · light) · colour of the material. The sum is over all visible lights. `PRECISE` is
+/// [`Quality::IS_PRECISE`](crate::quality::Quality::IS_PRECISE).
 #[inline(always)]
-fn lit_color<W: SceneAccess, Q: Quality, V: Visibility, H: Highlight>(
-    world: &W,
-    surface: &Surface<'_>,
-    visibility: &V,
-) -> Lit {
-    if Q::IS_PRECISE {
-        lit_color_by::<W, V, H, true>(world, surface, visibility)
-    } else {
-        lit_color_by::<W, V, H, false>(world, surface, visibility)
-    }
-}
-
-/// Computes [`lit_color`] with the precision as a constant, so that each variant is compiled by itself.
-#[inline(always)]
-fn lit_color_by<W: SceneAccess, V: Visibility, H: Highlight, const PRECISE: bool>(
+fn lit_color<W: SceneAccess, V: Visibility, H: Highlight, const PRECISE: bool>(
     world: &W,
     surface: &Surface<'_>,
     visibility: &V,
