@@ -6,7 +6,8 @@ use crate::error_kind::ErrorKind;
 
 /// The error of a scene, a camera, a material or a call: names the part, the mistake and the fix.
 ///
-/// As text it is one line: the part, its index if it has one, and [`ErrorKind::message`].
+/// As text it is one line: the part, its index if it has one, and [`ErrorKind::message`]. [`Debug`](fmt::Debug) writes the
+/// same, so that `unwrap` and a `main` that returns the error show the fix, too.
 ///
 /// ```
 /// use reflet::{ErrorKind, Material, RuntimeScene, room};
@@ -17,9 +18,10 @@ use crate::error_kind::ErrorKind;
 /// assert_eq!((error.part(), error.index()), ("sphere", Some(0)));
 /// assert_eq!(error.kind(), ErrorKind::Radius);
 /// assert_eq!(error.to_string(), "sphere 0: radius must be greater than 0");
+/// assert_eq!(format!("{error:?}"), error.to_string());
 /// # Ok::<(), reflet::Error>(())
 /// ```
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub struct Error {
@@ -105,6 +107,12 @@ impl fmt::Display for Error {
             Some(index) => write!(formatter, "{} {index}: {}", self.part, self.kind),
             None => write!(formatter, "{}: {}", self.part, self.kind),
         }
+    }
+}
+
+impl fmt::Debug for Error {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        fmt::Display::fmt(self, formatter)
     }
 }
 

@@ -106,7 +106,7 @@ kinds!(faults, {
         /// format.
         Extent "extent must be larger than 2^-30 scene units: scale the scene up";
         /// A colour component outside 0 to 16.
-        Color "color components must be within 0 to 16";
+        Color "color components must be within 0 to 16, where white is 1";
         /// An ambient coefficient outside 0 to 16.
         Ambient "ambient must be within 0 to 16";
         /// A diffuse coefficient outside 0 to 16.
@@ -155,7 +155,7 @@ kinds!(faults, {
         /// A name for a part of a constant scene that cannot move, such as a plane or a light.
         NothingMoves "only bounded shapes of a constant scene can have a name and move: use a RuntimeScene";
         /// A motion box that is missing, has `low` above `high`, or does not hold a part that moves.
-        Motion "motion box must hold every part that moves, in every place: enlarge it";
+        Motion "motion box must hold every part that moves, in every place: declare or enlarge it";
         /// A camera whose position and target are the same point.
         View "target must differ from the position";
         /// A camera whose `up` is zero or within 2⁻²⁴ of parallel to the view direction.

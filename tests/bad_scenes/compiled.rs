@@ -136,7 +136,7 @@ const LINES: &[(&str, &str)] = &[
     ),
     (
         "scene! { struct Tried {\nsphere([0.0; 3], 1.0, WHITE);\nlight([0.0; 3],\n[-1.0; 3]);\n} }",
-        "light 0 in line 7: color components must be within 0 to 16",
+        "light 0 in line 7: color components must be within 0 to 16, where white is 1",
     ),
     (
         "scene! { struct Tried {\nmotion([-2.0; 3], [2.0; 3]);\nsphere BALL([0.0; 3], 0.0, WHITE);\n} }",

@@ -189,7 +189,7 @@ fn what_the_core_refuses_is_reported_with_its_place() {
         (
             "/lights/0/color",
             json!([0, -1, 0]),
-            "lights[0]: color components must be within 0 to 16",
+            "lights[0]: color components must be within 0 to 16, where white is 1",
         ),
         (
             "/materials/1/mirror",
@@ -306,7 +306,7 @@ const MISTAKES: &[(&str, &str, &str)] = &[
     (
         "[0.7, 0.6, 0]",
         "[178, 153, 0]",
-        "materials[0]: color components must be within 0 to 16",
+        "materials[0]: color components must be within 0 to 16, where white is 1",
     ),
     (
         "[{ \"position\": [3, -4, 6], \"color\": [1, 1, 1] }]",
