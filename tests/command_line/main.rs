@@ -410,19 +410,3 @@ fn option_without_its_feature_names_it() {
         }
     }
 }
-
-#[cfg(feature = "window")]
-#[test]
-fn window_shows_the_picture() {
-    let folder = Folder::new("window");
-    printed(&folder, "floor --size 700x5 --out file.png");
-    let dump = folder.path("window.png");
-    // The simulator writes its first picture to a file and exits.
-    let variables = [
-        ("SDL_VIDEODRIVER", "dummy"),
-        ("EG_SIMULATOR_DUMP", dump.to_str().unwrap()),
-    ];
-    let outcome = folder.render_with("floor --size 700x5 --window", &variables);
-    assert_eq!(outcome.code, 0, "{}", outcome.stderr);
-    assert_eq!(folder.png("window.png"), folder.png("file.png"));
-}

@@ -98,13 +98,6 @@ impl Folder {
         finish(shell.current_dir(&self.0))
     }
 
-    /// Runs the program with environment variables.
-    #[cfg(feature = "window")]
-    pub fn render_with(&self, arguments: &str, variables: &[(&str, &str)]) -> Outcome {
-        let mut command = self.command("render", &words(arguments));
-        finish(command.envs(variables.iter().copied()))
-    }
-
     fn command(&self, example: &'static str, arguments: &[&str]) -> Command {
         let mut command = Command::new(binary(example));
         command.args(arguments).current_dir(&self.0);

@@ -29,6 +29,8 @@ measure --cores 2 => the following required arguments were not provided
 measure --clock 48 --cores 3 => 3 is not in 1..=2
 measure --clock 48 --board pico => cannot be used with
 measure --board pico --core m3 => cannot be used with
+measure --board pico2 --cores 1 => cannot be used with
+measure --board pico2 --bus 20 => cannot be used with
 measure --board pica => [possible values: pico, pico2, blackpill]
 measure --core rv32 floor --size 8x8 --clock 100 => no timings of instructions are published",
     );

@@ -19,14 +19,28 @@ use crate::screen::Screen;
 use chip::hal::clocks::Clock;
 use chip::hal::dma::DMAExt;
 pub use chip::hal::entry;
+use chip::hal::gpio::bank0::{Gpio8, Gpio9, Gpio10, Gpio11};
 use chip::hal::gpio::{DynPinId, FunctionSioInput, FunctionSpi, Pin, Pins, PullUp};
-use chip::hal::pac::{PPB, PSM, Peripherals};
+use chip::hal::pac::{PPB, PSM, Peripherals, SPI1};
 use chip::hal::sio::SioFifo;
 use chip::hal::{Sio, Spi, Watchdog};
 use chip::{Timer, init_clocks_and_plls};
 
 /// Frequency of the crystal of both boards, in Hz.
 const CRYSTAL: u32 = 12_000_000;
+
+// The display's pins as types. For other pins, change them here and in `switch_on`.
+
+/// SPI unit that has the pins of data and clock.
+pub type SpiUnit = SPI1;
+/// Pin of DIN or SDA: one of the unit's TX pins.
+pub type DataPin = Gpio11;
+/// Pin of CLK or SCL: one of the unit's SCK pins.
+pub type ClockPin = Gpio10;
+/// Pin of CS. A display without one leaves it open.
+pub type ChipSelectPin = Gpio9;
+/// Pin of DC.
+pub type DataCommandPin = Gpio8;
 
 /// Input pin that a key connects to ground while it is pressed.
 pub type KeyPin = Pin<DynPinId, FunctionSioInput, PullUp>;

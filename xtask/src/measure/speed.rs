@@ -35,11 +35,17 @@ pub struct Board {
     pub(super) clock: Option<f64>,
 
     /// Cores that trace rows by turns, 1 or 2
-    #[arg(long, requires = "clock", default_value_t = 1, value_parser = clap::value_parser!(u8).range(1..=2))]
+    #[arg(
+        long,
+        requires = "clock",
+        conflicts_with = "board",
+        default_value_t = 1
+    )]
+    #[arg(value_parser = clap::value_parser!(u8).range(1..=2))]
     cores: u8,
 
     /// Add the time of 16 bits a pixel on the display's bus
-    #[arg(long, requires = "clock", value_name = "MHZ", value_parser = megahertz)]
+    #[arg(long, requires = "clock", conflicts_with = "board", value_name = "MHZ", value_parser = megahertz)]
     bus: Option<f64>,
 }
 

@@ -12,10 +12,9 @@ use embedded_hal::{digital::OutputPin, spi::SpiBus};
 
 use crate::board::chip::hal::dma::single_buffer::{Config, Transfer};
 use crate::board::chip::hal::dma::{CH0, Channel};
-use crate::board::chip::hal::gpio::bank0::{Gpio8, Gpio9, Gpio10, Gpio11};
 use crate::board::chip::hal::gpio::{FunctionSioOutput, FunctionSpi, Pin, PullDown};
-use crate::board::chip::hal::pac::SPI1;
 use crate::board::chip::hal::spi::{Enabled, Spi};
+use crate::board::{ChipSelectPin, ClockPin, DataCommandPin, DataPin, SpiUnit};
 pub use line::{Line, SIDE};
 use line::{ROW, Wire};
 
@@ -26,7 +25,7 @@ const ROWS: usize = 8;
 type Block = RefCell<[u8; ROWS * ROW]>;
 
 /// The SPI behind the pins of data and clock.
-type Bus = Spi<Enabled, SPI1, (Serial<Gpio11>, Serial<Gpio10>), 8>;
+type Bus = Spi<Enabled, SpiUnit, (Serial<DataPin>, Serial<ClockPin>), 8>;
 type Serial<P> = Pin<P, FunctionSpi, PullDown>;
 type Output<P> = Pin<P, FunctionSioOutput, PullDown>;
 
@@ -40,8 +39,8 @@ enum State {
 pub struct Screen {
     /// `None` only while it changes.
     state: Option<State>,
-    chip_select: Output<Gpio9>,
-    data_command: Output<Gpio8>,
+    chip_select: Output<ChipSelectPin>,
+    data_command: Output<DataCommandPin>,
     /// The block that is filled, and the one that was sent last.
     blocks: [&'static Block; 2],
     /// Area of the rows in the first block.
@@ -52,7 +51,7 @@ impl Screen {
     /// Takes over a panel that is set up. Returns `None` if it is called again.
     pub fn new(
         (dma, spi): (Channel<CH0>, Bus),
-        (chip_select, data_command): (Output<Gpio9>, Output<Gpio8>),
+        (chip_select, data_command): (Output<ChipSelectPin>, Output<DataCommandPin>),
     ) -> Option<Self> {
         Some(Self {
             state: Some(State::Idle(dma, spi)),
