@@ -115,11 +115,11 @@
 //!
 //! | profile | castle flash | castle instr/pixel | corner1 flash | corner1 instr/pixel |
 //! |---|--:|--:|--:|--:|
-//! | lto = true, codegen-units = 1 | 51896 | 1345 | 15484 | 222 |
-//! | Cargo's default release | 68772 | 1420 | 20440 | 257 |
-//! | lto = true, codegen-units = 1, opt-level = "s" | 49684 | 2362 | 16952 | 290 |
-//! | lto = true, codegen-units = 1, opt-level = "z" | 47468 | 3764 | 16852 | 475 |
-//! | Cargo's default dev (debug) | 604284 | 40127 | 558000 | 6320 |
+//! | lto = true, codegen-units = 1 | 51908 | 1345 | 15496 | 222 |
+//! | Cargo's default release | 68776 | 1420 | 20444 | 257 |
+//! | lto = true, codegen-units = 1, opt-level = "s" | 49696 | 2362 | 16964 | 290 |
+//! | lto = true, codegen-units = 1, opt-level = "z" | 47472 | 3764 | 16856 | 475 |
+//! | Cargo's default dev (debug) | 604388 | 40137 | 558104 | 6322 |
 //!
 //! Every profile draws the same picture. If flash is scarce, the quality [`Small`](quality::Small) saves
 //! more than an `opt-level`.

@@ -114,8 +114,7 @@ macro_rules! parts {
                 None
             }
 
-            /// Returns a ball around a part of a bounded shape, and the shape's number. `number` counts the balls that
-            /// cover the shapes of all kinds.
+            /// Returns a ball around a part of a shape, and the shape's number. `number` counts the balls of all shapes.
             pub(crate) const fn link(&self, number: usize) -> Option<((Point, i32), usize)> {
                 let first = 0;
                 $(
@@ -222,6 +221,31 @@ impl<'a> Parts<'a> {
     pub(crate) fn is_empty(&self) -> bool {
         !self.has_bounded() && self.planes.is_empty() && !self.has_sky()
     }
+
+    /// Returns the number of the first plane, which follows all bounded shapes.
+    #[inline(always)]
+    pub(super) fn first_plane(&self) -> u32 {
+        to_u32(self.bounded())
+    }
+
+    /// Tests whether a shape is a plane.
+    #[inline(always)]
+    pub(crate) fn is_plane(&self, shape: ShapeId) -> bool {
+        shape != ShapeId::NONE && shape.0 >= self.first_plane()
+    }
+
+    /// Returns the plane with this number, or `None` if the shape is no plane.
+    #[inline(always)]
+    pub(crate) fn plane(&self, shape: ShapeId) -> Option<&'a PreparedPlane> {
+        self.planes.get(self.plane_index(shape)?)
+    }
+
+    /// Returns the index of a plane among the planes, or `None` if the shape is bounded.
+    #[inline(always)]
+    pub(crate) fn plane_index(&self, shape: ShapeId) -> Option<usize> {
+        let index = shape.0.checked_sub(self.first_plane())?;
+        Some(index as usize)
+    }
 }
 
 /// A scene that the plain kernels can read.
@@ -272,32 +296,5 @@ impl ShapeId {
     #[inline(always)]
     pub(crate) const fn at(index: usize) -> Self {
         Self(to_u32(index))
-    }
-}
-
-impl<'a> Parts<'a> {
-    /// Returns the number of the first plane, which follows all bounded shapes.
-    #[inline(always)]
-    pub(super) fn first_plane(&self) -> u32 {
-        to_u32(self.bounded())
-    }
-
-    /// Tests whether a shape is a plane.
-    #[inline(always)]
-    pub(crate) fn is_plane(&self, shape: ShapeId) -> bool {
-        shape != ShapeId::NONE && shape.0 >= self.first_plane()
-    }
-
-    /// Returns the plane with this number, or `None` if the shape is no plane.
-    #[inline(always)]
-    pub(crate) fn plane(&self, shape: ShapeId) -> Option<&'a PreparedPlane> {
-        self.planes.get(self.plane_index(shape)?)
-    }
-
-    /// Returns the index of a plane among the planes, or `None` if the shape is bounded.
-    #[inline(always)]
-    pub(crate) fn plane_index(&self, shape: ShapeId) -> Option<usize> {
-        let index = shape.0.checked_sub(self.first_plane())?;
-        Some(index as usize)
     }
 }

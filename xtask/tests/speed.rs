@@ -30,7 +30,6 @@ measure --clock 48 --cores 3 => 3 is not in 1..=2
 measure --clock 48 --board pico => cannot be used with
 measure --board pico --core m3 => cannot be used with
 measure --board pico2 --cores 1 => cannot be used with
-measure --board pico2 --bus 20 => cannot be used with
 measure --board pica => [possible values: pico, pico2, blackpill]
 measure --core rv32 floor --size 8x8 --clock 100 => no timings of instructions are published",
     );
@@ -48,6 +47,7 @@ fn command_prints_the_frames_a_second_that_readme_shows() {
     let done = common::xtask(&root(), "measure castle --board pico2");
     let (first, rest) = done.out.split_once('\n').unwrap();
     assert!(rest.contains("ms to send a frame"), "{rest}");
+    assert!(rest.contains("\nFlash "), "{rest}");
     let printed = first.strip_prefix("castle, 240x240, fast: estimated ");
     let printed = printed.and_then(|it| it.strip_suffix(" frames a second"));
     let printed: f64 = printed.unwrap().parse().unwrap();

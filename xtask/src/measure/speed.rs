@@ -8,10 +8,10 @@ use clap::Args;
 use command_line::{json_line, one_line};
 use serde_json::json;
 
-use super::figures::per_pixel;
+use super::figures::{Figures, per_pixel};
 use super::outcome::Outcome;
 use super::task::Task;
-use super::{Size, estimate, outcome, pixels, small, words};
+use super::{Size, count, estimate, outcome, pixels, small, words};
 use crate::table::rounded;
 use crate::{cycles::Timing, misuse::Misuse, owned::Owned};
 
@@ -133,7 +133,7 @@ impl Board {
 
     /// Returns the estimate in words, or as a line of JSON.
     pub(super) fn report(&self, task: &Task, is_json: bool) -> Result<String> {
-        let speed = self.speed(task)?;
+        let (speed, Figures { flash, stack, .. }) = (self.speed(task)?, count(task)?);
         let (scene, core) = (task.scene.name(), task.core);
         let size = words(task.settings.size);
         let quality = task.settings.quality.name();
@@ -142,7 +142,8 @@ impl Board {
             let line = json!({
                 "core": core.name, "scene": scene, "size": size, "quality": quality,
                 "board": self.board.map(|board| board.name), "clock": clock, "cores": self.cores(),
-                "bus": self.bus, "frames_per_second": rounded(1.0 / speed.frame(), 2),
+                "bus": self.bus, "flash": flash, "stack": stack,
+                "frames_per_second": rounded(1.0 / speed.frame(), 2),
                 "tracing_ms": rounded(1e3 * speed.tracing, 2), "sending_ms": rounded(1e3 * speed.sending, 2),
             });
             return Ok(json_line(&line.to_string()));
@@ -160,6 +161,7 @@ impl Board {
         Ok(format!(
             "{}, {size}, {quality}: estimated {:.2} frames a second\n\
              {}{}, {clock} MHz, {cores}: {:.1} ms, and {:.1} ms {sent}\n\
+             Flash {flash} bytes, stack {stack} bytes on each core: the library and the scene, without what the display takes\n\
              Instructions are counted; their cycles are those that {}. Flash that is slower than RAM is \
              not counted.",
             one_line(scene),
