@@ -111,9 +111,6 @@ impl LightTable {
 struct CellSets([ShapeSet; CELLS]);
 
 impl CellSets {
-    /// A table in the making, with an empty set of shapes in every cell.
-    const NONE: Self = Self([ShapeSet::NONE; CELLS]);
-
     /// Adds a shape inside of a ball to all cells that the ball reaches.
     ///
     /// `way` is the vector from the table's point to the ball's centre. The radius is widened by 2⁻¹²
@@ -169,16 +166,12 @@ impl LightTable {
         }
         let lengths = parts.lengths();
         let layout = SetLayout::new(lengths);
-        let mut cells = CellSets::NONE;
+        // A shape that moves may be anywhere.
+        let mut cells = CellSets([parts.moving; CELLS]);
         let mut number = 0;
         while let Some(((center, radius), shape)) = parts.link(number) {
             let shape = ShapeSet::of(layout.bit_of(lengths, shape));
-            if parts.moving.meets(shape) {
-                // It may be anywhere.
-                cells.add_ball(Vector::ZERO, 1, shape);
-            } else {
-                cells.add_ball(light.point.to(center), radius, shape);
-            }
+            cells.add_ball(light.point.to(center), radius, shape);
             number += 1;
         }
         Self::of(&cells)
