@@ -9,7 +9,7 @@ use reflet::scenes;
 use serde::{Deserialize, Serialize};
 
 use super::speed::{Board, SIZE};
-use super::{Core, Quality, Scene, Task, record};
+use super::{Core, Quality, Scene, Task, outcome, record};
 use crate::owned::{ALL, Owned};
 use crate::table::{cell, markdown, rounded, row, with_table};
 use crate::{kept, root};
@@ -75,7 +75,7 @@ pub fn estimated(board: &'static Owned, scene: &str) -> Result<f64> {
     let core = Core::find(board.core).context("no such core")?;
     let scene = Scene::open(&path, &Chosen::default())?;
     let task = Task::new(core, scene, SIZE, Quality::FAST);
-    Ok(Board::of(board).speed(&task)?.frame())
+    Ok(Board::of(board).speed(&task, &outcome(&task)?)?.frame())
 }
 
 pub fn read() -> Result<Vec<Kept>> {

@@ -8,10 +8,10 @@ use clap::Args;
 use command_line::{json_line, one_line};
 use serde_json::json;
 
-use super::figures::{Figures, per_pixel};
+use super::figures::per_pixel;
 use super::outcome::Outcome;
 use super::task::Task;
-use super::{Size, count, estimate, outcome, pixels, small, words};
+use super::{Size, estimate, outcome, pixels, small, weight, words};
 use crate::table::rounded;
 use crate::{cycles::Timing, misuse::Misuse, owned::Owned};
 
@@ -35,17 +35,13 @@ pub struct Board {
     pub(super) clock: Option<f64>,
 
     /// Cores that trace rows by turns, 1 or 2
-    #[arg(
-        long,
-        requires = "clock",
-        conflicts_with = "board",
-        default_value_t = 1
-    )]
-    #[arg(value_parser = clap::value_parser!(u8).range(1..=2))]
+    #[arg(long, requires = "clock", conflicts_with = "board")]
+    #[arg(default_value_t = 1, value_parser = clap::value_parser!(u8).range(1..=2))]
     cores: u8,
 
     /// Add the time of 16 bits a pixel on the display's bus
-    #[arg(long, requires = "clock", conflicts_with = "board", value_name = "MHZ", value_parser = megahertz)]
+    #[arg(long, requires = "clock", conflicts_with = "board")]
+    #[arg(value_name = "MHZ", value_parser = megahertz)]
     bus: Option<f64>,
 }
 
@@ -100,20 +96,19 @@ impl Board {
         }
     }
 
-    /// Measures a task and estimates the time of its frame on this board.
+    /// Estimates the time of a frame on this board from what the task took.
     ///
     /// # Errors
     /// [`Misuse`] if no timings are published for the core.
-    pub fn speed(&self, task: &Task) -> Result<Speed> {
-        let outcome = outcome(task)?;
-        let estimate = estimate(&small(task, per_pixel(task, &outcome)))?;
+    pub fn speed(&self, task: &Task, outcome: &Outcome) -> Result<Speed> {
+        let estimate = estimate(&small(task, per_pixel(task, outcome)))?;
         let estimate = estimate.ok_or_else(|| {
             let title = task.core.title;
             Misuse::new(format!(
                 "no timings of instructions are published for the {title}"
             ))
         })?;
-        let cycles = self.instructions(&outcome) as f64 * estimate.per_instruction();
+        let cycles = self.instructions(outcome) as f64 * estimate.per_instruction();
         let sending = self.sending(pixels(task.settings.size));
         let share = self.board.map_or(0.0, |it| it.hidden / it.sending);
         Ok(Speed {
@@ -133,7 +128,9 @@ impl Board {
 
     /// Returns the estimate in words, or as a line of JSON.
     pub(super) fn report(&self, task: &Task, is_json: bool) -> Result<String> {
-        let (speed, Figures { flash, stack, .. }) = (self.speed(task)?, count(task)?);
+        let outcome = outcome(task)?;
+        let (speed, stack) = (self.speed(task, &outcome)?, outcome.stack);
+        let flash = weight(task)?.flash;
         let (scene, core) = (task.scene.name(), task.core);
         let size = words(task.settings.size);
         let quality = task.settings.quality.name();
