@@ -26,7 +26,7 @@ pub struct LightLists([Coordinate; 3]);
 struct Coordinate {
     /// Smallest coordinate of a direction to a shape, as [`raised`] returns it.
     low: u32,
-    /// A coordinate's set has the index (coordinate - `low`) >> `shift`.
+    /// The set of a coordinate has the index ([`raised`] coordinate - `low`) >> `shift`.
     shift: u32,
     sets: [ShapeSet; PARTS],
 }
@@ -90,7 +90,7 @@ const fn range(light: Point, parts: &Parts<'_>, axis: usize) -> (i32, i32) {
     if low < high { (low, high) } else { ALL }
 }
 
-/// Returns the sets of one coordinate of the directions from a light.
+/// Returns one coordinate of the directions from a light: its range in parts, and the shapes that each part can hit.
 const fn coordinate(light: Point, parts: &Parts<'_>, axis: usize) -> Coordinate {
     let lengths = parts.lengths();
     let layout = SetLayout::new(lengths);

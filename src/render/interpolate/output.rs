@@ -103,7 +103,7 @@ impl<W: World, K: Shading, Q: Quality, M: Marks> Colors<'_, '_, W, K, Q, M> {
     }
 
     /// Fills `pixels` with the next colours, each converted by `shown`. All pixels must lie in the picture.
-    /// The last parabola may be cut short, so the row must not be asked for any further colour.
+    /// The rest of the last parabola is dropped, so the row must not be asked for any further colour.
     #[inline(always)]
     pub(crate) fn fill<C: Copy>(&mut self, pixels: &mut [C], shown: impl Fn(Sum) -> C) {
         if !Tracer::<W, K, Q>::IS_INTERPOLATED {

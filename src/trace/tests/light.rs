@@ -429,7 +429,7 @@ fn miss_is_the_sky_in_the_direction_of_the_ray() {
             );
         }
     }
-    // Paths that end in the sky above and below the horizon have different notes in their signatures.
+    // Paths that end in the sky above and below the horizon have different signatures.
     assert_ne!(seen(0.01).1, seen(-0.01).1);
 }
 

@@ -11,7 +11,7 @@ const CLOCKS: [(u32, u32); 3] = [
 /// Register writes for a core at 100 MHz: they set the PLL and the voltage, and make the PLL the clock of the core.
 const FAST: [(u32, u32); 3] = [(RCC + 4, 200 << 6 | 25), (POWER, 3 << 14), (RCC + 8, 2)];
 
-/// Register writes that set up the SPI as the panel needs it, and let it request bytes from the DMA.
+/// Register writes that set up the SPI for the panel, and allow the SPI to request bytes from the DMA.
 const SPI_ON: [(u32, u32); 2] = [(SPI, SPI_WANTED), (SPI + 4, TX_DMA_ENABLED)];
 
 /// Register writes that make the DMA send three bytes from RAM to the SPI. The last one starts it.
