@@ -3,7 +3,7 @@
 
 mod rays;
 
-pub(crate) use rays::{RayGenerator, RowDirections};
+pub(crate) use rays::{PixelSides, RayGenerator, RowDirections};
 
 use crate::error::Error;
 use crate::error_kind::ErrorKind;

@@ -1,5 +1,9 @@
 //! Floor 2: checkers: two colours in cells of space.
 
+mod area;
+
+pub(crate) use area::Area;
+
 use crate::color::Color;
 use crate::error_kind::ErrorKind;
 use crate::grid::Grid;
@@ -9,7 +13,7 @@ use crate::number::{
     sum_modulo_2_32, twos_complement, wide,
 };
 use crate::ray::ScaledPoint;
-use crate::vector::Position;
+use crate::vector::{Direction, Position};
 
 /// Checker of a material as the user describes it: space is divided into cells, and every other cell has the
 /// checker's colour instead of the material's.
@@ -128,6 +132,19 @@ impl PreparedChecker {
         let [x, y, z] = &self.axes;
         let odd = x.is_odd(point.x, scale) ^ y.is_odd(point.y, scale);
         odd ^ z.is_odd(point.z, scale)
+    }
+
+    /// Returns the axis along which a flat surface with this normal keeps cells apart whose points lie beyond two borders, one along
+    /// each of two axes: x or y.
+    pub(crate) fn axis_aside(normal: Direction) -> usize {
+        let [x, y, z] = normal.components().map(|it| it.abs());
+        usize::from(x > y.max(z))
+    }
+
+    /// Tests whether a point on a flat surface with this normal lies in an odd cell along [`PreparedChecker::axis_aside`].
+    pub(crate) fn is_odd_aside(&self, point: ScaledPoint, normal: Direction) -> bool {
+        let place = self.places(point)[Self::axis_aside(normal) & 1];
+        (place >> PLACES) & 1 != 0
     }
 
     /// Returns the place of a point along each axis: counted in cells, with [`PLACES`] fraction bits.

@@ -221,25 +221,32 @@ impl PathSignature {
     /// keeps that.
     #[inline(always)]
     pub(crate) fn ended(self, is_bounded: bool) -> Self {
-        Self(self.0 << 2 | u32::from(is_bounded))
+        Self(self.0 << 4 | u32::from(is_bounded))
     }
 
-    /// Returns the final signature of a path that meets an odd number of cells with their checker's colour, if `is_odd`. The
-    /// second lowest bit keeps that.
+    /// Returns the final signature of a path that meets the same, but beyond borders between the cells of checkers: beyond
+    /// an odd number of them if `is_odd`, and beyond an odd number of those along one of the axes, if that `is_aside`. The next
+    /// two bits keep that.
     #[inline(always)]
-    pub(crate) fn in_cell(self, is_odd: bool) -> Self {
-        Self(self.0 & !2 | u32::from(is_odd) << 1)
+    pub(crate) fn across(self, [is_odd, is_aside]: [bool; 2]) -> Self {
+        Self(self.0 ^ (u32::from(is_odd) << 1 | u32::from(is_aside) << 2))
     }
 
-    /// Returns whether the path meets an odd number of cells with their checker's colour.
+    /// Returns the final signature of a path that meets small cells, if it `is_fine`: some that are less than two pixels
+    /// wide. The fourth lowest bit keeps that.
     #[inline(always)]
-    pub(crate) fn cell(self) -> bool {
-        self.0 & 2 != 0
+    pub(crate) fn in_fine_cells(self, is_fine: bool) -> Self {
+        Self(self.0 | u32::from(is_fine) << 3)
+    }
+
+    /// Returns whether the path meets small cells.
+    pub(crate) fn is_fine(self) -> bool {
+        self.0 & 8 != 0
     }
 
     /// Returns the mark of the path.
     pub(crate) fn mark(self) -> PathMark {
-        let path = self.0 >> 1;
+        let path = (self.0 >> 4) << 2 | self.0 >> 1 & 3;
         PathMark(to_u16((path ^ path >> 16) & 0xffff))
     }
 
@@ -253,7 +260,7 @@ impl PathSignature {
     /// the cells of checkers.
     #[inline(always)]
     pub(crate) fn is_same_as(self, other: Self) -> bool {
-        (self.0 ^ other.0) >> 2 == 0 && self.is_bounded()
+        (self.0 ^ other.0) >> 4 == 0 && self.is_bounded()
     }
 }
 
@@ -264,6 +271,11 @@ pub(crate) struct PathMark(u16);
 impl PathMark {
     /// The mark of a path that is not known.
     pub(crate) const NONE: Self = Self(0);
+
+    /// Tests whether two paths hit the same shapes and lights. Ignores the cells of checkers that signatures keep apart.
+    pub(crate) fn meets_same(self, other: Self) -> bool {
+        self.0 ^ other.0 <= 3
+    }
 }
 
 #[cfg(test)]

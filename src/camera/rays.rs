@@ -2,7 +2,8 @@
 
 use super::Camera;
 use crate::number::{
-    Quotient, shifted, signed, signed_wide, square_root, stepped, unsigned, unsigned_wide, wide,
+    Quotient, Unit, divide, narrowed, shifted, signed, signed_wide, square_root, stepped, unsigned,
+    unsigned_wide, wide,
 };
 use crate::ray::{RowPlane, ScreenAxis};
 use crate::vector::{Direction, Point, Vector};
@@ -110,6 +111,26 @@ impl RayGenerator {
         way.direction_of_square(way.square())
     }
 
+    /// Returns the sides of a pixel, and the view that a ray's direction is compared with.
+    pub(crate) fn pixel(&self) -> PixelSides {
+        let [x, y, z] = self.ahead.map(|coordinate| (coordinate >> 32) as i32);
+        let (ahead, distance) = Vector::new(x, y, z).direction_and_length();
+        let [x, y, z] = self
+            .up
+            .map(|coordinate| narrowed(shifted(-coordinate, -self.scale)));
+        // A pixel is 2^(scale - 1) wide in the unit of the distance, which is at least 1.
+        let width = divide(1 << 31, unsigned(distance.to_bits()));
+        let width = shifted(
+            width.mantissa.into(),
+            (width.exponent + self.scale - 2).max(-63),
+        );
+        PixelSides {
+            ahead,
+            sides: [self.right, Direction::from_raw(Vector::new(x, y, z))],
+            width: Unit::from_bits(narrowed(width.min(1 << 30))),
+        }
+    }
+
     /// Returns four times the length of half a pixel, with 32 more fraction bits.
     fn side(&self) -> i64 {
         shifted(1 << 32, self.scale)
@@ -170,6 +191,17 @@ impl RayGenerator {
             middle - (self.up[axis] >> 5) * i64::from(down)
         })
     }
+}
+
+/// The sides of a picture's pixels.
+#[derive(Clone, Copy)]
+pub(crate) struct PixelSides {
+    /// The camera's view, at right angles to the picture.
+    pub(crate) ahead: Direction,
+    /// Directions to the next pixel to the right, and to the next one below.
+    pub(crate) sides: [Direction; 2],
+    /// Length of a side, where the picture is at distance 1; at most 1.
+    pub(crate) width: Unit,
 }
 
 /// Directions of the rays through one row of pixels.

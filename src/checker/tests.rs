@@ -2,7 +2,7 @@
 
 use super::*;
 use crate::number::sweep::Sweep;
-use crate::vector::Point;
+use crate::vector::{Point, Vector};
 
 /// The cell of a point next to whose coordinate there is no border within `off` scene units.
 fn parity(point: [f64; 3], size: [f64; 3], off: f64) -> Option<bool> {
@@ -66,4 +66,94 @@ fn ends_in_one_cell_stay_there_unless_the_curve_leaves_it() {
     assert!(!is_one(0.05, 0.45, 0.06) && !is_one(0.05, 0.55, 0.0));
     // The cell after the next has the same colour.
     assert!(!is_one(0.05, 1.05, 0.0));
+}
+
+/// The share of a parallelogram that shows the checker's colour, by 64 x 64 points.
+fn sampled(checker: &PreparedChecker, area: &Area) -> f64 {
+    const COUNT: i32 = 64;
+    let at = |part: i32, side: f64| side * (f64::from(2 * part + 1 - COUNT) / f64::from(2 * COUNT));
+    let mut held = 0;
+    for one in 0..COUNT {
+        for other in 0..COUNT {
+            let [a, b] = area
+                .sides
+                .map(|side| [side.x, side.y, side.z].map(f64::from));
+            let Point { x, y, z } = area.middle.point;
+            let [x, y, z] = [(0, x), (1, y), (2, z)]
+                .map(|(axis, middle)| middle + (at(one, a[axis]) + at(other, b[axis])) as i32);
+            held += u32::from(checker.holds(ScaledPoint::at(Point::new(x, y, z))));
+        }
+    }
+    f64::from(held) / f64::from(COUNT * COUNT)
+}
+
+#[test]
+fn share_of_an_area_is_that_of_its_points() {
+    let mut random = Sweep::new(0x3c6e_f372_fe94_f82b);
+    let grid = Grid::new(Position::ORIGIN, Number::ONE.to_bits().unsigned_abs());
+    let (mut sum, mut worst) = (0.0, 0.0_f64);
+    for _ in 0..600 {
+        let size = [0.1, 0.07 + 0.05 * random.share(), 0.0].map(Number::new);
+        let checker =
+            PreparedChecker::prepare(&Checker::new([Number::ZERO; 3], size), &grid).unwrap();
+        let cell = f64::from(grid.place(Position::new([0.1, 0.0, 0.0])).point.x);
+        let long = cell * 10_f64.powf(random.share());
+        let short = cell * random.share();
+        let sides = [long, short].map(|length| {
+            let [x, y, _] = random.place();
+            Vector::new((length * x) as i32, (length * y) as i32, 0)
+        });
+        let [x, y, z] = random.triple(1 << 27);
+        let middle = ScaledPoint::at(Point::new(x, y, z));
+        let area = Area {
+            middle,
+            sides,
+            scale: 0,
+        };
+        let (found, expected) = (f64::from(checker.share_on(&area)), sampled(&checker, &area));
+        let error = (found - expected).abs();
+        worst = worst.max(error);
+        sum += error * error;
+    }
+    let off = (sum / 600.0_f64).sqrt();
+    // Areas of up to 10 cells by 1.
+    assert!(off < 0.036 && worst < 0.3, "{off} {worst}");
+}
+
+#[test]
+fn area_in_one_cell_shows_one_colour_and_one_of_many_cells_half_of_both() {
+    let grid = Grid::new(Position::ORIGIN, Number::ONE.to_bits().unsigned_abs());
+    let size = [Number::new(0.5), Number::new(0.25), Number::ZERO];
+    let checker = Checker::new([Number::ZERO; 3], size);
+    let checker = PreparedChecker::prepare(&checker, &grid).unwrap();
+    let area = |middle: [f64; 3], side: i32, scale| Area {
+        middle: grid.place(Position::new(middle)),
+        sides: [Vector::new(side, side, side), Vector::new(-side, side, 0)],
+        scale,
+    };
+    let cell = grid.place(Position::new([0.25, 0.0, 0.0])).point.x;
+    for (middle, share) in [
+        ([0.2, 0.1, 0.3], 0.0),
+        ([0.2, 0.4, 0.3], 1.0),
+        ([-0.2, 0.1, 0.3], 1.0),
+    ] {
+        for side in [0, 1, 1000, cell / 4] {
+            let area = area(middle, side, 0);
+            assert_eq!(
+                f64::from(checker.share_on(&area)),
+                share,
+                "{middle:?} {side}"
+            );
+            assert!(!checker.is_fine_on(&area), "{side}");
+        }
+        for (side, scale) in [(cell, 6), (1 << 29, 3), (1 << 29, 40), (-1, 60)] {
+            let area = area(middle, side, scale);
+            let found = f64::from(checker.share_on(&area));
+            assert!(
+                (found - 0.5).abs() < 0.01,
+                "{middle:?} {side} {scale}: {found}"
+            );
+            assert!(checker.is_fine_on(&area), "{side} {scale}");
+        }
+    }
 }

@@ -176,3 +176,23 @@ fn tangents_lie_between_their_columns() {
     }
     assert!(known > 10_000, "{known}");
 }
+
+#[test]
+fn cells_of_checkers_do_not_make_other_paths() {
+    let path = |met: u32| {
+        let mut path = PathSignature::new();
+        path.note(met);
+        path.ended(true)
+    };
+    let (one, other) = (path(7), path(8));
+    for borders in [[true, false], [false, true], [true, true]] {
+        let beyond = one.across(borders);
+        assert!(beyond.is_same_as(one) && beyond.mark().meets_same(one.mark()));
+        assert!(beyond.mark() != one.mark() && !beyond.mark().meets_same(other.mark()));
+        assert_eq!(beyond.across(borders), one);
+    }
+    let fine = one.in_fine_cells(true);
+    assert!(fine.is_fine() && !one.is_fine() && fine.is_same_as(one));
+    assert_eq!(fine.mark(), one.mark());
+    assert!(!one.is_same_as(other) && fine.is_bounded());
+}

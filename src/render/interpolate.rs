@@ -28,7 +28,7 @@ use crate::number::{Unit, to_u32};
 use crate::qualities::Quality;
 use crate::render::smooth::CHUNK;
 use crate::shade::highlight::sealed::Shading;
-use crate::trace::{Pixel, Progress, Stops, Traced, Tracer};
+use crate::trace::{Footprint, Pixel, Progress, Stops, Traced, Tracer};
 use crate::vector::Direction;
 use sink::Sink;
 
@@ -234,26 +234,29 @@ impl<'s, 'a, W: World, K: Shading, Q: Quality, M: Marks> Colors<'s, 'a, W, K, Q,
             1 => {
                 let stops = (&mut self.stops[slot.min(UNREAD)], slot != UNREAD);
                 let pixel = Pixel::Center(&self.window, column);
-                self.tracer.trace(pixel, direction, stops)
+                self.tracer.trace(pixel, (direction, None), stops)
             }
             // The further samples of a smooth picture share the code.
-            _ => self.along((true, column), direction, slot),
+            _ => self.along((true, column), (direction, None), slot),
         }
     }
 
-    /// Traces a path through a pixel of a column, out of line: through its centre if `is_center`.
+    /// Traces a path through a pixel of a column, out of line: through its centre if `is_center`. If there are `parts`, the
+    /// path shows that part of the pixel, as [`Footprint::new`] says.
     #[inline(never)]
     fn along(
         &mut self,
         (is_center, column): (bool, u32),
-        direction: Direction,
+        (direction, parts): (Direction, Option<[u32; 2]>),
         slot: usize,
     ) -> Traced {
+        let pixel = self.marks.pixel().filter(|_| W::NEEDS.checkers);
+        let footprint = pixel.map(|pixel| Footprint::new(pixel, direction, parts));
         let pixel = match self.marks.beside() {
             Some(known) if !is_center => Pixel::Beside(known, column),
             _ => Pixel::Center(&self.window, column),
         };
         let stops = (&mut self.stops[slot.min(UNREAD)], slot != UNREAD);
-        self.tracer.trace(pixel, direction, stops)
+        self.tracer.trace(pixel, (direction, footprint), stops)
     }
 }

@@ -28,6 +28,7 @@ use crate::camera::RayGenerator;
 use crate::color::{Levels, Sum};
 use crate::number::to_u32;
 use crate::qualities::Quality;
+use crate::scene::access::SceneAccess;
 use crate::shade::Shading;
 use crate::shade::highlight::sealed;
 use chunk::Chunk;
@@ -170,6 +171,7 @@ impl<'a, S: Drawable, Q: Quality, K: Shading> Rows<'a, S, Q, K> {
                 y,
                 width,
                 is_divided,
+                is_fine: false,
             },
             seam,
             lower: Line::NONE,
@@ -177,6 +179,9 @@ impl<'a, S: Drawable, Q: Quality, K: Shading> Rows<'a, S, Q, K> {
             until: first,
             colors: [Levels::DARK; CHUNK as usize],
         };
+        if <S::World<'_> as SceneAccess>::NEEDS.checkers {
+            colors.walker.row.marks.pixel = Some(generator.pixel());
+        }
         if first < x {
             colors.follow(first);
         }

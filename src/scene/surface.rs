@@ -4,12 +4,15 @@ use super::access::{Parts, SceneAccess, ShapeId};
 use crate::checker::PreparedChecker;
 use crate::color::Color;
 use crate::material::PreparedMaterial;
-use crate::number::{Unit, absolute};
+use crate::number::{
+    Quotient, Unit, absolute, divide, narrowed, shifted, signed, signed_wide, unit_product,
+    unsigned, wide_unsigned,
+};
 use crate::ray::{ScaledPoint, ScaledRay};
 use crate::shape::MaterialId;
 use crate::shape::bounded::Bounded;
 use crate::shape::plane::PreparedPlane;
-use crate::vector::{Direction, Point};
+use crate::vector::{Direction, Point, Vector};
 
 /// The surface at a hit: its normal, its material, and the point where rays leave it.
 #[derive(Clone, Copy, Debug)]
@@ -158,6 +161,41 @@ impl<'a> Surface<'a> {
     }
 }
 
+/// Largest angle over which a normal is known to turn: a quarter, about 14 degrees.
+const MOST: Unit = Unit::from_bits(1 << 28);
+
+/// How the normal of a surface turns.
+pub(crate) struct Bend {
+    /// 2⁶¹ over the radius on which it turns; 0 if the surface is flat.
+    curve: Quotient,
+    /// The direction along which it does not turn.
+    axis: Option<Direction>,
+    /// Whether it turns backwards.
+    is_hollow: bool,
+}
+
+impl Bend {
+    /// Returns the angle by which the normal turns `across` a ray, over `size` steps of 2^`scale`. `None` if that is more
+    /// than [`MOST`].
+    pub(crate) fn over(&self, across: Direction, (size, scale): (i32, u32)) -> Option<Unit> {
+        let Quotient { mantissa, exponent } = self.curve;
+        let turn = signed_wide(wide_unsigned(size.unsigned_abs(), mantissa) >> 1);
+        let turn = shifted(turn, (exponent + signed(scale) - 30).clamp(-63, 0));
+        if turn > i64::from(MOST.to_bits()) {
+            return None;
+        }
+        let turn = Unit::from_bits(narrowed(turn));
+        let turn = if (size < 0) == self.is_hollow { turn } else { -turn };
+        Some(match self.axis {
+            None => turn,
+            Some(axis) => {
+                let along = across.dot(axis);
+                unit_product(turn, Unit::ONE - unit_product(along, along))
+            }
+        })
+    }
+}
+
 impl<'a> Parts<'a> {
     /// Returns the outward normal of a shape at a near point on it, and the shape's material.
     #[inline(always)]
@@ -195,6 +233,26 @@ impl<'a> Parts<'a> {
             (!K::IS_FLAT).then_some(radius)
         }
         of_kind!(self, shape, |it| radius(it)).flatten()
+    }
+
+    /// Returns how the normal of a surface turns; `None` if that is not known.
+    pub(crate) fn bend(&self, surface: &Surface<'_>) -> Option<Bend> {
+        if self.is_smooth(surface.shape) {
+            return None;
+        }
+        let curve = match self.bending_radius(surface.shape) {
+            None => Quotient {
+                mantissa: 0,
+                exponent: 0,
+            },
+            Some(radius) => divide(1 << 61, unsigned(radius)),
+        };
+        let axis = of_kind!(self, surface.shape, |it| it.outline().1).unwrap_or(Vector::ZERO);
+        Some(Bend {
+            curve,
+            axis: (axis != Vector::ZERO).then(|| axis.normalised().0),
+            is_hollow: surface.is_inside,
+        })
     }
 
     /// Returns the material of a shape.

@@ -57,7 +57,7 @@ fn compare<W: World>(world: &W, camera: &Camera, name: &str) {
                 let mut stops = Stops::NONE;
                 it.trace(
                     Pixel::Center(&window, x),
-                    directions.of(x),
+                    (directions.of(x), None),
                     (&mut stops, true),
                 )
                 .sum
@@ -68,7 +68,7 @@ fn compare<W: World>(world: &W, camera: &Camera, name: &str) {
             let [found, exact] = [&mut some, &mut unbounded].map(|it| {
                 let mut stops = Stops::NONE;
                 let pixel = Pixel::Beside(&mut beside, x);
-                it.trace(pixel, direction, (&mut stops, false)).sum
+                it.trace(pixel, (direction, None), (&mut stops, false)).sum
             });
             assert_eq!(found, exact, "{name}: beside pixel {x}, {y} of {camera:?}");
         }

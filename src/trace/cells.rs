@@ -18,18 +18,25 @@ pub(crate) struct Cells {
     first: u32,
     /// A bit for each column from `first` on. It is set where the checker's colour is seen.
     bits: u64,
+    /// A bit for each column that shows another cell along [`PreparedChecker::axis_aside`] than the first does, or one an even
+    /// number of cells away. Only known for pixels with smooth edges.
+    aside: u64,
 }
 
 /// Largest number of borders of cells in a stretch.
 const MOST_BORDERS: i64 = 511;
 
 impl Cells {
-    /// Returns the cells along a line. `None` if there are more than [`MOST_BORDERS`] borders.
-    fn new(line: &PlaneLine<'_>, checker: &PreparedChecker) -> Option<Self> {
+    /// Returns the cells along a line. `None` if there are more than [`MOST_BORDERS`] borders. `aside` is an axis to be kept apart.
+    fn new(line: &PlaneLine<'_>, checker: &PreparedChecker, aside: Option<usize>) -> Option<Self> {
         let [start, end] = line.ends.map(|stop| checker.places(stop.place));
         let first = line.columns[0];
-        let mut cells = Self { first, bits: 0 };
-        for (from, to) in start.into_iter().zip(end) {
+        let mut cells = Self {
+            first,
+            bits: 0,
+            aside: 0,
+        };
+        for (axis, (from, to)) in start.into_iter().zip(end).enumerate() {
             let [from_cell, low, high] = [from, from.min(to), from.max(to)].map(|it| it >> PLACES);
             if high - low > MOST_BORDERS {
                 return None;
@@ -41,19 +48,30 @@ impl Cells {
                 let border = cell << PLACES;
                 let parts = [from, to].map(|end| end.abs_diff(border));
                 let columns = line.columns_before(parts, from < to);
-                cells.bits ^= u64::MAX.checked_shl(columns).unwrap_or(0);
+                let beyond = u64::MAX.checked_shl(columns).unwrap_or(0);
+                cells.bits ^= beyond;
+                if aside == Some(axis) {
+                    cells.aside ^= beyond;
+                }
             }
         }
         Some(cells)
     }
 
-    /// Returns whether a column shows the checker's colour, and how many columns from there on show the same: at most
-    /// `most`, up to the end of the stretch.
-    pub(crate) fn run(self, column: u32, most: u32) -> (bool, u32) {
-        let bits = self.bits >> ((column - self.first) & 63);
-        let holds = bits & 1 != 0;
-        let other = if holds { !bits } else { bits };
-        (holds, other.trailing_zeros().min(most))
+    /// Returns whether a column shows the checker's colour, and whether it lies an odd number of cells aside of the first. Also
+    /// returns how many columns from there on show the same: at most `most`, up to the end of the stretch. Nothing is told of
+    /// cells aside if the pixels are not smooth.
+    #[inline(always)]
+    pub(crate) fn run(self, column: u32, most: u32, is_smooth: bool) -> ([bool; 2], u32) {
+        let from = |bits: u64| {
+            let bits = bits >> ((column - self.first) & 63);
+            let is_set = bits & 1 != 0;
+            (is_set, if is_set { !bits } else { bits })
+        };
+        let (holds, other) = from(self.bits);
+        let (is_aside, aside) = if is_smooth { from(self.aside) } else { (false, 0) };
+        let count = (other | aside).trailing_zeros();
+        ([holds, is_aside], count.min(most))
     }
 }
 
@@ -114,7 +132,10 @@ impl<W: World, K: Shading, Q: Quality> Tracer<'_, W, K, Q> {
             }
             None => stop.place,
         };
+        let plane = parts.plane(paths[0].get(level)?.shape);
+        let plane = plane.filter(|_| Q::SMOOTHNESS > 1);
+        let aside = plane.map(|plane| PreparedChecker::axis_aside(plane.normal));
         let line = PlaneLine::new(self.culling.ahead()?, columns, (paths, level), &hit)?;
-        Cells::new(&line, checker)
+        Cells::new(&line, checker, aside)
     }
 }

@@ -8,6 +8,7 @@
 mod border;
 mod bounce;
 mod cells;
+mod footprint;
 mod lights;
 mod origin;
 mod plane_line;
@@ -23,6 +24,8 @@ use core::marker::PhantomData;
 use bounce::Bounce;
 pub(crate) use bounce::Pixel;
 pub(crate) use cells::Cells;
+pub(crate) use footprint::Footprint;
+use footprint::SeenCells;
 use stops::STOPS;
 pub(crate) use stops::Stops;
 pub(crate) use stretch::Progress;
@@ -68,14 +71,6 @@ impl Traced {
         missed.add_missed::<W, K>(world, Unit::ONE, ahead);
         missed.signature = missed.signature.ended(true);
         missed
-    }
-
-    /// Adds the colour of a surface without reflections. Returns whether it is that of a checker.
-    #[inline(always)]
-    fn add_own(&mut self, weight: Unit, lit: &Lit) -> bool {
-        self.signature.note(lit.lights);
-        self.sum.add(weight, lit.color);
-        lit.cell.is_some_and(|(holds, _)| holds)
     }
 
     /// Adds what a ray shows that hits nothing.
@@ -168,17 +163,16 @@ impl<'a, W: World, K: Shading, Q: Quality> Tracer<'a, W, K, Q> {
 
     /// Follows one path from the camera in `direction`, and returns its colour and signature. Stores its
     /// hits in `stops` if pixels are interpolated and `is_read`. The signature has no meaning otherwise.
-    ///
     #[inline(always)]
     pub(crate) fn trace(
         &mut self,
         mut pixel: Pixel<'_>,
-        direction: Direction,
+        (direction, footprint): (Direction, Option<Footprint>),
         (stops, is_read): (&mut Stops, bool),
     ) -> Traced {
         let world = self.world;
         let mut ray = ScaledRay::new(self.visibility.from, direction);
-        let (mut traced, mut is_odd) = (Traced::NONE, false);
+        let (mut traced, mut cells) = (Traced::NONE, SeenCells::new(footprint));
         stops.clear();
         let (mut throughput, mut bounce, mut is_bounded) = (Unit::ONE, Bounce::NONE, true);
         // Hits are stored from this throughput on: those that can be seen; none if nobody reads them.
@@ -193,13 +187,16 @@ impl<'a, W: World, K: Shading, Q: Quality> Tracer<'a, W, K, Q> {
                 }
                 break;
             };
+            cells.reach::<W>(&ray, &surface);
             traced.signature.note(surface.shape.side(surface.is_inside));
             let reflected = Self::reflected(world, &surface, throughput);
             let mut lights = 0;
             if reflected < throughput && Self::has_own(world, &surface) {
                 let lit = self.shade(&surface);
                 lights = lit.lights;
-                is_odd ^= traced.add_own(throughput - reflected, &lit);
+                traced.signature.note(lights);
+                let own = cells.color::<W, Q>(world, (&surface, &lit), &mut traced.signature);
+                traced.sum.add(throughput - reflected, own);
             }
             if is_seen(throughput) {
                 stops.add(Some((&surface, lights)), surface.view);
@@ -215,10 +212,11 @@ impl<'a, W: World, K: Shading, Q: Quality> Tracer<'a, W, K, Q> {
             }
             is_bounded &= !is_seen(throughput) || self.is_bounded_after(&surface, bounce.count);
             surface.reflect(world, &mut ray);
+            cells.turn(world, &surface);
             (bounce.mirror, bounce.skip) = (surface.shape, surface.skip(world));
         }
         self.rays += bounce.count + 1;
-        traced.signature = traced.signature.ended(is_bounded).in_cell(is_odd);
+        traced.signature = cells.marked(traced.signature.ended(is_bounded));
         traced
     }
 

@@ -75,7 +75,7 @@ fn followed_by<K: Shading, Q: Quality, W: World>(
         sum: tracer
             .trace(
                 Pixel::Center(&window, 0),
-                path.direction(),
+                (path.direction(), None),
                 (&mut stops, true),
             )
             .sum,

@@ -66,9 +66,15 @@ impl<W: World, K: Shading, Q: Quality, M: Marks> Colors<'_, '_, W, K, Q, M> {
         (self.column, self.until, self.end.0, self.clear_until) = (first, first, u32::MAX, 0);
     }
 
-    /// Returns the result of a path that goes through a pixel of a column, but not through its centre.
-    pub(crate) fn beside(&mut self, column: u32, direction: Direction) -> Traced {
-        self.along((false, column), direction, UNREAD)
+    /// Returns the result of a path that goes through a pixel of a column, but not through its centre. If there are `parts`, it
+    /// shows that part of the pixel, as [`Footprint::new`](crate::trace::Footprint::new) says.
+    pub(crate) fn beside(
+        &mut self,
+        column: u32,
+        direction: Direction,
+        parts: Option<[u32; 2]>,
+    ) -> Traced {
+        self.along((false, column), (direction, parts), UNREAD)
     }
 
     /// Fills `pixels` as [`Colors::fill`] does, unless no path hits anything up to column `last`. Then the next column is

@@ -16,8 +16,8 @@ struct Tiles {
     cells: Cells,
     /// The hit that shows the checker.
     level: usize,
-    /// The path in a cell without the checker's colour.
-    path: PathSignature,
+    /// Whether the first column shows the checker's colour, and its path.
+    start: (bool, PathSignature),
 }
 
 impl<W: World, K: Shading, Q: Quality, M: Marks> Colors<'_, '_, W, K, Q, M> {
@@ -36,11 +36,10 @@ impl<W: World, K: Shading, Q: Quality, M: Marks> Colors<'_, '_, W, K, Q, M> {
         let (Some(cells), [Some((holds, one)), Some((_, other))]) = (cells, both) else {
             return self.trace_each(columns[0] + 1, columns[1], sink);
         };
-        let path = start.traced.signature;
         let tiles = Tiles {
             cells,
             level,
-            path: path.in_cell(path.cell() != holds),
+            start: (holds, start.traced.signature),
         };
         let expected = ([Bend::ZERO; 2], samples);
         self.tile(&tiles, columns, [one, other], expected, sink);
@@ -103,8 +102,12 @@ impl<W: World, K: Shading, Q: Quality, M: Marks> Colors<'_, '_, W, K, Q, M> {
     ) {
         let mut column = 0;
         while column < length {
-            let (holds, count) = tiles.cells.run(first + column, length - column);
-            let path = tiles.path.in_cell(tiles.path.cell() != holds);
+            let ([holds, is_aside], count) =
+                tiles
+                    .cells
+                    .run(first + column, length - column, Q::SMOOTHNESS > 1);
+            let (held, path) = tiles.start;
+            let path = path.across([holds != held, is_aside]);
             self.marks.fill(first + column, count, path);
             let curve = curves[usize::from(holds)].after(column);
             sink.set_curve(first + column, count, curve);

@@ -24,14 +24,19 @@ impl Cell {
         self.sides.iter().all(|side| side.is_whole())
     }
 
+    /// Tests whether more than one edge crosses the pixel, or one side of it.
+    pub(super) fn is_tangled(&self) -> bool {
+        let divided = self.sides.iter().filter(|side| !side.is_whole()).count();
+        divided > 2 || self.sides.iter().any(|side| side.is_tangled())
+    }
+
     /// Returns the contrast that decides how many samples the pixel takes, in 8-bit levels; 0 if it takes none.
     pub(super) fn contrast(&self) -> u32 {
-        let divided = self.sides.iter().filter(|side| !side.is_whole()).count();
-        let is_tangled = divided > 2 || self.sides.iter().any(|side| side.is_tangled());
+        let is_tangled = self.is_tangled();
         let next = self.corners.iter().cycle().skip(1);
         let pairs = self.corners.iter().zip(next);
         // In a tangle all corners count, else those that meet the same.
-        let pairs = pairs.filter(|(one, other)| is_tangled || one.path == other.path);
+        let pairs = pairs.filter(|(one, other)| is_tangled || one.path.meets_same(other.path));
         let largest = pairs.fold(0, |largest, (one, other)| largest.max(one.contrast(other)));
         let least = if is_tangled { UNSEEN } else { UNEVEN };
         if largest > least { largest } else { 0 }
@@ -88,7 +93,8 @@ impl Cell {
     pub(super) fn contrast_to(&self, sample: &Corner) -> u32 {
         let corners = self.corners.iter();
         let contrast = |corner: &Corner| corner.contrast(sample);
-        let contrasts = corners.map(|it| if it.path == sample.path { 0 } else { contrast(it) });
+        let contrasts =
+            corners.map(|it| if it.path.meets_same(sample.path) { 0 } else { contrast(it) });
         contrasts.min().filter(|least| *least > UNSEEN).unwrap_or(0)
     }
 }

@@ -49,33 +49,39 @@ impl<'c> Chunk<'c> {
         if self.upper.is_flat_with(self.lower) {
             return fill(colors, self.upper.corners[0].color);
         }
-        let crossed = self.stand(walker);
-        let busy = (self.plain(colors) | crossed) & u32::MAX >> (CHUNK - self.count);
+        let (crossed, tiled) = self.stand(walker);
+        let busy = (self.plain(colors) | crossed | tiled) & u32::MAX >> (CHUNK - self.count);
         if busy != 0 {
-            self.mix(walker, colors, busy);
+            self.mix(walker, colors, (busy, tiled));
         }
     }
 
-    /// Finds where edges cross the sides between both lines. Returns a bit for each pixel that an edge crosses.
+    /// Finds where edges cross the sides between both lines. Returns a bit for each pixel that an edge crosses, and one for each
+    /// that may show several cells of a checker.
     #[inline(always)]
     fn stand<W: World, K: Shading, Q: Quality>(
         &mut self,
         walker: &mut Walker<'_, '_, W, K, Q>,
-    ) -> u32 {
+    ) -> (u32, u32) {
         if self.upper.is_one_with(self.lower) {
-            return 0;
+            return (0, 0);
         }
         let mut crossed = self.upper.crossed | self.lower.crossed;
+        let mut tiled = self.upper.tiled | self.lower.tiled;
         let corners = self.upper.corners.iter().zip(&self.lower.corners);
         for (place, ((upper, lower), side)) in (0..).zip(corners.zip(&mut self.uprights)) {
-            if upper.path != lower.path {
+            // The pixel to the left of the side, and the one to the right.
+            let both = low_word(3 << place >> 1);
+            if upper.path == lower.path {
+            } else if W::NEEDS.checkers && upper.path.meets_same(lower.path) {
+                tiled |= both;
+            } else {
                 let start = [self.first + place, self.upper.line()];
                 *side = walker.divided(start, walker.down(), [upper, lower]);
-                // The pixel to the left of the side, and the one to the right.
-                crossed |= low_word(3 << place >> 1);
+                crossed |= both;
             }
         }
-        crossed
+        (crossed, tiled)
     }
 
     /// Gives each pixel the mean of its corners' colours. Returns a bit for each pixel whose colour is steep.
@@ -126,17 +132,26 @@ impl<'c> Chunk<'c> {
         &self,
         walker: &mut Walker<'_, '_, W, K, Q>,
         colors: &mut ChunkColors,
-        mut busy: u32,
+        (mut busy, tiled): (u32, u32),
     ) {
         let mut news = News([0; CHUNK as usize]);
         while busy != 0 {
             let place = busy.trailing_zeros();
             busy &= busy - 1;
-            let (Some(cell), Some(color)) = (self.cell(place), colors.get_mut(place as usize))
+            let (Some(mut cell), Some(color)) = (self.cell(place), colors.get_mut(place as usize))
             else {
                 break;
             };
             let (told, is_whole) = (news.of(place), cell.is_whole());
+            let is_tiled = W::NEEDS.checkers && tiled >> place & 1 != 0;
+            if is_whole && is_tiled && told == 0 {
+                let start = [self.first + place, self.upper.line()];
+                *color = walker.sample(start, CENTER[0], 0).color;
+                continue;
+            }
+            if is_tiled && !cell.is_tangled() {
+                self.mix_corners(walker, place, &mut cell);
+            }
             let contrast = cell.contrast().max(told);
             *color = cell.color();
             if contrast == 0 && !is_whole {
@@ -147,16 +162,32 @@ impl<'c> Chunk<'c> {
             } else {
                 enough(contrast, walker.tolerance())
             };
+            let parts = u32::from(places.len() >= 4) + u32::from(places.len() >= 16);
             // What the corners tell by their areas has the weight of one sample.
             let mut mixture = Mixture::NONE;
             mixture.add(*color, 1);
             for at in places {
                 let start = [self.first + place, self.upper.line()];
-                let sample = walker.sample(start, *at);
+                let sample = walker.sample(start, *at, parts);
                 mixture.add(sample.color, 1);
                 busy |= news.tell(self, (place, at), &sample);
             }
             *color = mixture.mean(1 + to_u32(places.len()));
+        }
+    }
+
+    /// Gives the corners of a pixel the colours of the areas around them, where they may show several cells of a checker.
+    #[inline(never)]
+    fn mix_corners<W: World, K: Shading, Q: Quality>(
+        &self,
+        walker: &mut Walker<'_, '_, W, K, Q>,
+        place: u32,
+        cell: &mut Cell,
+    ) {
+        let start = [self.first + place, self.upper.line()];
+        let places = [[0, 0], [PIXEL, 0], [PIXEL, PIXEL], [0, PIXEL]];
+        for (corner, at) in cell.corners.iter_mut().zip(places) {
+            corner.color = walker.sample(start, at, 1).color;
         }
     }
 }

@@ -87,6 +87,8 @@ pub(crate) struct Line {
     pub(super) sides: [Side; CHUNK as usize],
     /// A bit for each side that an edge crosses.
     pub(super) crossed: u32,
+    /// A bit for each pixel that may show several cells of a checker.
+    pub(super) tiled: u32,
     /// From the highest bit: the number of the line plus one, in 18 bits, so that all zeros are a line that is not known; the
     /// number of the chunk, in 11 bits; [`Line::DIVIDED`], [`Line::FLAT`] and [`Line::ONE`].
     place: u32,
@@ -98,6 +100,7 @@ impl Line {
         corners: [Corner::NONE; CHUNK as usize + 1],
         sides: [Side::WHOLE; CHUNK as usize],
         crossed: 0,
+        tiled: 0,
         place: 0,
     };
 
@@ -170,13 +173,13 @@ impl Line {
     pub(super) fn begin(&mut self, at: [u32; 2], is_divided: bool) {
         self.place = Self::place_of(at, is_divided);
         self.sides = [Side::WHOLE; CHUNK as usize];
-        self.crossed = 0;
+        (self.crossed, self.tiled) = (0, 0);
     }
 }
 
 /// What a row with smooth edges leaves to the row below it: the corners of pixels on the line between the two.
 ///
-/// `N` is the number of columns of the picture over 32, rounded up: 8 for 240 columns. It takes 304 bytes each. Columns
+/// `N` is the number of columns of the picture over 32, rounded up: 8 for 240 columns. It takes 308 bytes each. Columns
 /// beyond trace the line above again, and so does a row that does not follow the one above. Use it for the rows of one
 /// picture only.
 ///

@@ -111,7 +111,7 @@ fn line_is_known_for_its_own_chunk_only() {
     assert!(line.is_of([3, 32], false) && !line.is_of([3, 32], true));
     assert!(!line.is_of([3, 0], false) && !line.is_of([4, 32], false));
     // As the pages say.
-    assert_eq!(size_of::<Line>(), 304);
+    assert_eq!(size_of::<Line>(), 308);
 }
 
 /// The more a pixel's contrast, the more samples.
@@ -174,6 +174,39 @@ fn corners_are_half_a_pixel_from_the_centres() {
             let found = corners.through([x, y], [32, 32]);
             let off = center.change_to(found).unwrap().square();
             assert!(off < 1 << 12, "pixel {x}, {y}: {off}");
+        }
+    }
+}
+
+/// The sides of a pixel lead to the next directions, but for their part along the ray.
+#[test]
+fn sides_of_a_pixel_lead_to_its_neighbours() {
+    for (fov, size) in [
+        (50.0, [120, 90]),
+        (0.01, [120, 90]),
+        (120.0, [64, 64]),
+        (170.0, [320, 20]),
+    ] {
+        let camera = Camera::look_at([1.0, -5.0, 2.0], [0.0, 0.0, 1.0], [0.1, 0.0, 1.0]).fov(fov);
+        let generator = camera.generator(size[0], size[1]);
+        let pixel = generator.pixel();
+        for at in [[1, 1], [size[0] / 2, size[1] / 2], [size[0] - 2, 3]] {
+            let [here, right, down] =
+                [[0, 0], [1, 0], [0, 1]].map(|step| generator.through(at, step.map(|it| 64 * it)));
+            let width = f64::from(pixel.width) * f64::from(pixel.ahead.dot(here));
+            for (next, side) in [(right, pixel.sides[0]), (down, pixel.sides[1])] {
+                let parts = |it: Direction| it.components().map(f64::from);
+                let (here, next, side) = (parts(here), parts(next), parts(side));
+                let along: f64 = [0, 1, 2].map(|axis| side[axis] * here[axis]).iter().sum();
+                let off = [0, 1, 2].map(|axis| {
+                    next[axis] - here[axis] - width * (side[axis] - along * here[axis])
+                });
+                let off = off.map(|it| it * it).iter().sum::<f64>().sqrt();
+                assert!(
+                    off <= width * width + 1e-8,
+                    "{fov} {at:?}: {off} of {width}"
+                );
+            }
         }
     }
 }

@@ -25,6 +25,8 @@ pub(super) struct Walker<'s, 'a, W: World, K, Q> {
     pub(super) width: u32,
     /// Whether a line of corners divides the row of pixels into two parts.
     pub(super) is_divided: bool,
+    /// Whether the latest point lies among small cells of a checker.
+    pub(super) is_fine: bool,
 }
 
 impl<W: World, K: Shading, Q: Quality> Walker<'_, '_, W, K, Q> {
@@ -64,6 +66,7 @@ impl<W: World, K: Shading, Q: Quality> Walker<'_, '_, W, K, Q> {
             self.row.turn(self.generator, Self::place(line), first);
         }
         found.begin([line, first], self.is_divided);
+        self.row.marks.fine = 0;
         let last = (first + CHUNK).min(self.width);
         let [walked @ .., after] = &mut found.corners;
         let count = CHUNK.min(self.width + 1 - first);
@@ -76,16 +79,21 @@ impl<W: World, K: Shading, Q: Quality> Walker<'_, '_, W, K, Q> {
             return found.flatten(all);
         }
         let paths = &self.row.marks.paths;
+        let fine = if W::NEEDS.checkers { self.row.marks.fine } else { 0 };
         let one = paths[0];
-        let mut is_one = true;
+        let mut is_one = fine == 0;
+        found.tiled = fine | fine >> 1;
         for (corner, path) in pixels.iter_mut().zip(paths) {
             corner.path = *path;
             is_one &= *path == one;
         }
         *after = Corner::NONE;
         if first + CHUNK <= self.width {
-            *after = Corner::of(self.row.after(first + CHUNK));
-            is_one &= after.path == one;
+            let traced = self.row.after(first + CHUNK);
+            *after = Corner::of(traced);
+            let is_fine = W::NEEDS.checkers && traced.signature.is_fine();
+            is_one &= after.path == one && !is_fine;
+            found.tiled |= u32::from(is_fine) << (CHUNK - 1);
         }
         // Beyond the picture no edge crosses a side.
         let beyond = walked.get_mut(count as usize..).unwrap_or_default();
@@ -93,12 +101,22 @@ impl<W: World, K: Shading, Q: Quality> Walker<'_, '_, W, K, Q> {
         if is_one {
             return found.unite();
         }
+        self.divide(line, first, found);
+    }
+
+    /// Finds where edges cross the sides of a line of the chunk that begins at column `first`.
+    #[inline(always)]
+    fn divide(&mut self, line: u32, first: u32, found: &mut Line) {
         let pairs = found.corners.iter().zip(found.corners.iter().skip(1));
         let columns = first..self.width;
         for (column, ((start, end), side)) in columns.zip(pairs.zip(&mut found.sides)) {
-            if start.path != end.path {
+            let bit = 1 << (column % CHUNK);
+            if start.path == end.path {
+            } else if W::NEEDS.checkers && start.path.meets_same(end.path) {
+                found.tiled |= bit;
+            } else {
                 *side = self.divided([column, line], Self::ACROSS, [start, end]);
-                found.crossed |= 1 << (column % CHUNK);
+                found.crossed |= bit;
             }
         }
     }
@@ -122,8 +140,12 @@ impl<W: World, K: Shading, Q: Quality> Walker<'_, '_, W, K, Q> {
         while contrast > self.tolerance() && step > 1 {
             contrast /= 2;
             step /= 2;
-            let found = self.point(start, along.map(|part| part * at));
-            let is_like = |end: &Corner| end.path == found.path && end.contrast(&found) <= UNEVEN;
+            let found = self.point(start, along.map(|part| part * at), None);
+            let is_fine = W::NEEDS.checkers && self.is_fine;
+            // Small cells are mixed where they meet the edge.
+            let is_like = |end: &Corner| {
+                end.path.meets_same(found.path) && (end.contrast(&found) <= UNEVEN || is_fine)
+            };
             at += match ends.map(is_like) {
                 [true, _] => step,
                 [_, true] => -step,
@@ -133,16 +155,27 @@ impl<W: World, K: Shading, Q: Quality> Walker<'_, '_, W, K, Q> {
         Side::divided(to_u8(unsigned(at)))
     }
 
-    /// Traces a sample of the pixel, or of the part of one between two lines, below the corner in a column of a line.
-    pub(super) fn sample(&mut self, start: [u32; 2], [right, down]: Place) -> Corner {
-        self.point(start, [right, down / signed(self.parts())])
+    /// Traces a sample of the pixel, or of the part of one between two lines, below the corner in a column of a line. It is one
+    /// of several that show 2^`parts` parts along each side of the pixel.
+    pub(super) fn sample(&mut self, start: [u32; 2], [right, down]: Place, parts: u32) -> Corner {
+        let parts = Some([parts, parts + u32::from(self.is_divided)]);
+        self.point(start, [right, down / signed(self.parts())], parts)
     }
 
     /// Traces the path through the point at a place from the corner in a column of a line.
     #[inline(never)]
-    fn point(&mut self, [column, line]: [u32; 2], [right, down]: Place) -> Corner {
+    fn point(
+        &mut self,
+        [column, line]: [u32; 2],
+        [right, down]: Place,
+        parts: Option<[u32; 2]>,
+    ) -> Corner {
         let (y, below) = Self::place(line);
         let direction = self.generator.through([column, y], [right, below + down]);
-        Corner::of(self.row.beside(column, direction))
+        let traced = self.row.beside(column, direction, parts);
+        if W::NEEDS.checkers {
+            self.is_fine = traced.signature.is_fine();
+        }
+        Corner::of(traced)
     }
 }

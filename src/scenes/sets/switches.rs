@@ -68,7 +68,7 @@ fn traced_by<W: World, Q: Quality>(
             let mut stops = Stops::NONE;
             let traced = tracer.trace(
                 Pixel::Center(&window, x),
-                directions.of(x),
+                (directions.of(x), None),
                 (&mut stops, true),
             );
             (traced.sum, traced.signature)
