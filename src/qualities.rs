@@ -110,6 +110,8 @@ impl Culling {
 /// A quality with smooth edges: each pixel is the mean of what its area shows, as far as the corners of pixels tell. `K` is 2
 /// or 4. With 4, edges are found more finely. Rows that show shapes thinner than four pixels have twice as many corners.
 ///
+/// The colours of a checker's cells are mixed by their shares of what a pixel shows, in mirrors too.
+///
 /// Each colour is clamped to 0 to 1, then the mean is taken, then it is rounded. `Q` says how exact a colour is. It needs no
 /// frame buffer. Rows that are asked for one by one take a [`Seam`](crate::quality::Seam) along, or about twice the time.
 ///
