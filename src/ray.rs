@@ -246,8 +246,8 @@ impl PathSignature {
 
     /// Returns the mark of the path.
     pub(crate) fn mark(self) -> PathMark {
-        let path = (self.0 >> 4) << 2 | self.0 >> 1 & 3;
-        PathMark(to_u16((path ^ path >> 16) & 0xffff))
+        // The bits of the cells change no others.
+        PathMark(to_u16(spread(self.0 >> 4) >> 16 ^ self.0 >> 1 & 3))
     }
 
     /// Tests whether the whole path has known bounds.
