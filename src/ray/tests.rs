@@ -196,26 +196,3 @@ fn cells_of_checkers_do_not_make_other_paths() {
     assert_eq!(fine.mark(), one.mark());
     assert!(!one.is_same_as(other) && fine.is_bounded());
 }
-
-#[test]
-fn paths_that_differ_in_a_shape_do_not_meet_the_same() {
-    // Shapes, sides and lights are small numbers.
-    let path = |notes: [u32; 4]| {
-        let mut path = PathSignature::new();
-        notes.into_iter().for_each(|it| path.note(it));
-        path.ended(true).mark()
-    };
-    let (mut alike, mut count) = (0, 0);
-    for place in 0..4 {
-        for (one, other) in (0..64).flat_map(|one| (0..one).map(move |other| (one, other))) {
-            let [one, other] = [one, other].map(|met| {
-                let mut notes = [5, 3, 9, 0];
-                notes[place] = met;
-                path(notes)
-            });
-            alike += u32::from(one.meets_same(other));
-            count += 1;
-        }
-    }
-    assert!(alike <= 2, "{alike} of {count}");
-}
