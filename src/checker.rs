@@ -134,17 +134,24 @@ impl PreparedChecker {
         odd ^ z.is_odd(point.z, scale)
     }
 
-    /// Returns the axis along which a flat surface with this normal keeps cells apart whose points lie beyond two borders, one along
-    /// each of two axes: x or y.
+    /// Returns the axis, x or y, whose borders are also counted by themselves on a surface with this normal. Two cells that touch at
+    /// a vertex have the same colour; only this count tells them apart. The surface is not at right angles to the axis.
     pub(crate) fn axis_aside(normal: Direction) -> usize {
         let [x, y, z] = normal.components().map(|it| it.abs());
         usize::from(x > y.max(z))
     }
 
-    /// Tests whether a point on a flat surface with this normal lies in an odd cell along [`PreparedChecker::axis_aside`].
-    pub(crate) fn is_odd_aside(&self, point: ScaledPoint, normal: Direction) -> bool {
-        let place = self.places(point)[Self::axis_aside(normal) & 1];
-        (place >> PLACES) & 1 != 0
+    /// Tests whether a point on a surface with this normal lies in an odd cell along [`PreparedChecker::axis_aside`].
+    pub(crate) fn is_odd_aside(
+        &self,
+        ScaledPoint { point, scale }: ScaledPoint,
+        normal: Direction,
+    ) -> bool {
+        let [x, y, _] = &self.axes;
+        match Self::axis_aside(normal) {
+            0 => x.is_odd(point.x, scale),
+            _ => y.is_odd(point.y, scale),
+        }
     }
 
     /// Returns the place of a point along each axis: counted in cells, with [`PLACES`] fraction bits.

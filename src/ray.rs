@@ -224,9 +224,9 @@ impl PathSignature {
         Self(self.0 << 4 | u32::from(is_bounded))
     }
 
-    /// Returns the final signature of a path that meets the same, but beyond borders between the cells of checkers: beyond
-    /// an odd number of them if `is_odd`, and beyond an odd number of those along one of the axes, if that `is_aside`. The next
-    /// two bits keep that.
+    /// Returns the final signature of a path that meets the same shapes and lights, but other cells of checkers. `is_odd` says
+    /// whether an odd number of borders lies between, `is_aside` whether an odd number of those along one axis does: see
+    /// [`PreparedChecker::axis_aside`](crate::checker::PreparedChecker::axis_aside). The second and third lowest bits keep that.
     #[inline(always)]
     pub(crate) fn across(self, [is_odd, is_aside]: [bool; 2]) -> Self {
         Self(self.0 ^ (u32::from(is_odd) << 1 | u32::from(is_aside) << 2))
@@ -246,7 +246,8 @@ impl PathSignature {
 
     /// Returns the mark of the path.
     pub(crate) fn mark(self) -> PathMark {
-        // The bits of the cells change no others.
+        // The two bits of the cells are added to a hash that is spread over all bits: so paths whose marks differ in these two only
+        // met the same, but for a chance of 2⁻¹⁴.
         PathMark(to_u16(spread(self.0 >> 4) >> 16 ^ self.0 >> 1 & 3))
     }
 

@@ -100,8 +100,9 @@ struct Wave {
 }
 
 impl Wave {
-    /// Creates the wave of an axis, along which the area has this middle and these sides. It is divided into 2^`parts` parts
-    /// along the longer one. If the area lies in one cell along the axis, returns the wave's value there, 1 or -1.
+    /// Creates the wave of one axis for an area: `middle`, `long` and `short` are the coordinates of its middle and of its two sides
+    /// along this axis, in cells. The area is divided into 2^`parts` parts along its longer side. If it lies in one cell along the
+    /// axis, the wave is constant, and its value is returned: 1 or -1.
     fn new(middle: i64, (long, short): (i64, i64), parts: u32) -> Result<Self, i32> {
         let reach = signed_wide((long.unsigned_abs() + short.unsigned_abs()) / 2);
         let cell = (middle - reach) >> PLACES;

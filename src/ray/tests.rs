@@ -196,3 +196,17 @@ fn cells_of_checkers_do_not_make_other_paths() {
     assert_eq!(fine.mark(), one.mark());
     assert!(!one.is_same_as(other) && fine.is_bounded());
 }
+
+/// The two changes of these paths leave the lower bits of a signature alone.
+#[test]
+fn paths_that_differ_in_shape_and_light_do_not_meet_the_same() {
+    let mark = |met: [u32; 2]| {
+        let mut path = PathSignature::new();
+        met.into_iter().for_each(|it| path.note(it));
+        path.ended(true).mark()
+    };
+    for shape in 0..64 {
+        let (lit, other) = (mark([shape, 16]), mark([shape + 16, 0]));
+        assert!(!lit.meets_same(other), "shape {shape}");
+    }
+}

@@ -242,7 +242,7 @@ impl<'s, 'a, W: World, K: Shading, Q: Quality, M: Marks> Colors<'s, 'a, W, K, Q,
     }
 
     /// Traces a path through a pixel of a column, out of line: through its centre if `is_center`. If there are `parts`, the
-    /// path shows that part of the pixel, as [`Footprint::new`] says.
+    /// path shows that part of the pixel, as [`Footprint::new`] says; else it shows a point.
     #[inline(never)]
     fn along(
         &mut self,

@@ -18,8 +18,8 @@ pub(crate) struct Cells {
     first: u32,
     /// A bit for each column from `first` on. It is set where the checker's colour is seen.
     bits: u64,
-    /// A bit for each column that shows another cell along [`PreparedChecker::axis_aside`] than the first does, or one an even
-    /// number of cells away. Only known for pixels with smooth edges.
+    /// A bit for each column from `first` on. It is set where an odd number of borders along [`PreparedChecker::axis_aside`] lies
+    /// between the first column and this one. In a frame without smooth edges all are 0.
     aside: u64,
 }
 
@@ -27,7 +27,8 @@ pub(crate) struct Cells {
 const MOST_BORDERS: i64 = 511;
 
 impl Cells {
-    /// Returns the cells along a line. `None` if there are more than [`MOST_BORDERS`] borders. `aside` is an axis to be kept apart.
+    /// Returns the cells along a line. `None` if there are more than [`MOST_BORDERS`] borders. The borders along the axis
+    /// `aside` are counted by themselves, too.
     fn new(line: &PlaneLine<'_>, checker: &PreparedChecker, aside: Option<usize>) -> Option<Self> {
         let [start, end] = line.ends.map(|stop| checker.places(stop.place));
         let first = line.columns[0];
@@ -58,9 +59,8 @@ impl Cells {
         Some(cells)
     }
 
-    /// Returns whether a column shows the checker's colour, and whether it lies an odd number of cells aside of the first. Also
-    /// returns how many columns from there on show the same: at most `most`, up to the end of the stretch. Nothing is told of
-    /// cells aside if the pixels are not smooth.
+    /// Returns the bits of a column: whether it shows the checker's colour, and, if the frame `is_smooth`, its bit in `aside`. Also
+    /// returns how many columns from there on have the same bits: at most `most`, up to the end of the stretch.
     #[inline(always)]
     pub(crate) fn run(self, column: u32, most: u32, is_smooth: bool) -> ([bool; 2], u32) {
         let from = |bits: u64| {

@@ -24,8 +24,8 @@ pub(crate) struct Footprint {
     sides: [Side; 2],
     /// Sizes are in steps of 2^`scale`.
     scale: u32,
-    /// Into how many parts the area is divided along each side, as powers of two, of which the path shows the middle one. If
-    /// `None`, the path shows a point.
+    /// Which part of the pixel the path shows: one of 2^n equal parts along each side. If `None`, it shows a point, and the
+    /// footprint is that of the whole pixel.
     parts: Option<[u32; 2]>,
 }
 
@@ -44,8 +44,8 @@ struct Side {
 pub(super) struct SeenCells {
     /// `None` if the path shows points only, or if it changes too much from pixel to pixel.
     footprint: Option<Footprint>,
-    /// Whether the path meets an odd number of cells with their checker's colour, and an odd number of odd ones along
-    /// one of the axes: see [`PathSignature::across`].
+    /// Whether the path meets an odd number of cells with their checker's colour, and an odd number of cells that are odd along
+    /// [`PreparedChecker::axis_aside`](crate::checker::PreparedChecker::axis_aside).
     is_odd: [bool; 2],
     /// Whether some cells are less than two pixels wide.
     is_fine: bool,
@@ -58,7 +58,8 @@ const LONGEST: i32 = 1 << 29;
 const MOST: Unit = Unit::from_bits(1 << 28);
 
 impl Footprint {
-    /// Creates the footprint of a camera's ray. `parts` say which part of the pixel the path shows, as in [`Footprint`].
+    /// Creates the footprint of a camera's ray that shows one of 2^`parts` equal parts of a pixel along each side, or a point of the
+    /// pixel if there are none.
     pub(crate) fn new(pixel: &PixelSides, direction: Direction, parts: Option<[u32; 2]>) -> Self {
         let turn = share(pixel.width, pixel.ahead.dot(direction).max(Unit::ZERO));
         let [right, down] = parts.unwrap_or([0; 2]);
@@ -156,8 +157,8 @@ impl SeenCells {
         }
     }
 
-    /// Returns the colour that a surface adds to a path: that of its cell, or that of its pixel's footprint. Notes what keeps
-    /// the path apart from others.
+    /// Returns the colour that a surface adds to a path: that of its cell, or the mean over the footprint. Keeps which cells are
+    /// met; cells whose borders are edges go into the signature at once.
     #[inline(always)]
     pub(super) fn color<W: World, Q: Quality>(
         &mut self,

@@ -96,7 +96,7 @@ impl Board {
         }
     }
 
-    /// Estimates the time of a frame on this board from what the task took.
+    /// Estimates the time of a frame on this board from the instructions that were counted for the task.
     ///
     /// # Errors
     /// [`Misuse`] if no timings are published for the core.

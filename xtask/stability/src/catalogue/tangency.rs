@@ -282,7 +282,7 @@ fn eyes() -> Vec<Case> {
     let within = "every ray begins inside of a wall that may be met once only";
     let seen = |eye, target| still_life(eye, target, 90.0);
     let column = |draft: Draft| draft.cylinder([-1.6, -1.0, 0.6], UP, (0.5, 1.2), "red");
-    // 10^-6 outside of the surface: no pixel shows that. For an eye on the surface, the reference is not defined.
+    // The eye is 10^-6 outside of the sphere, too little to be seen. On the sphere itself, the reference is not defined.
     let aside = 0.6 + 1e-6;
     let in_a_sphere = still_life([-1.0, 0.0, 0.6], TARGET, 50.0);
     let by_a_light = still_life([-1.2, 0.0, 0.6], TARGET, 100.0).light([-1.0, 0.1, 0.6]);
