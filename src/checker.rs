@@ -142,16 +142,10 @@ impl PreparedChecker {
     }
 
     /// Tests whether a point on a surface with this normal lies in an odd cell along [`PreparedChecker::axis_aside`].
-    pub(crate) fn is_odd_aside(
-        &self,
-        ScaledPoint { point, scale }: ScaledPoint,
-        normal: Direction,
-    ) -> bool {
-        let [x, y, _] = &self.axes;
-        match Self::axis_aside(normal) {
-            0 => x.is_odd(point.x, scale),
-            _ => y.is_odd(point.y, scale),
-        }
+    pub(crate) fn is_odd_aside(&self, at: ScaledPoint, normal: Direction) -> bool {
+        let ([x, y, _], point) = (&self.axes, at.point);
+        let is_x = Self::axis_aside(normal) == 0;
+        if is_x { x.is_odd(point.x, at.scale) } else { y.is_odd(point.y, at.scale) }
     }
 
     /// Returns the place of a point along each axis: counted in cells, with [`PLACES`] fraction bits.

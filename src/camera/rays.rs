@@ -111,7 +111,7 @@ impl RayGenerator {
         way.direction_of_square(way.square())
     }
 
-    /// Returns the sides of a pixel, and the view that a ray's direction is compared with.
+    /// Returns the direction of the camera's view, and the sides of its pixels.
     pub(crate) fn pixel(&self) -> PixelSides {
         let [x, y, z] = self.ahead.map(|coordinate| (coordinate >> 32) as i32);
         let (ahead, distance) = Vector::new(x, y, z).direction_and_length();

@@ -73,15 +73,13 @@ impl<'c> Chunk<'c> {
             // The pixel to the left of the side, and the one to the right.
             let both = low_word(3 << place >> 1);
             if upper.path == lower.path {
-                continue;
-            }
-            if W::NEEDS.checkers && upper.path.meets_same(lower.path) {
+            } else if W::NEEDS.checkers && upper.path.meets_same(lower.path) {
                 tiled |= both;
-                continue;
+            } else {
+                let start = [self.first + place, self.upper.line()];
+                *side = walker.divided(start, walker.down(), [upper, lower]);
+                crossed |= both;
             }
-            let start = [self.first + place, self.upper.line()];
-            *side = walker.divided(start, walker.down(), [upper, lower]);
-            crossed |= both;
         }
         (crossed, tiled)
     }
@@ -146,13 +144,13 @@ impl<'c> Chunk<'c> {
             };
             let (told, is_whole) = (news.of(place), cell.is_whole());
             let is_tiled = W::NEEDS.checkers && tiled >> place & 1 != 0;
-            let start = [self.first + place, self.upper.line()];
             if is_whole && is_tiled && told == 0 {
+                let start = [self.first + place, self.upper.line()];
                 *color = walker.sample(start, CENTER[0], 0).color;
                 continue;
             }
             if is_tiled && !cell.is_tangled() {
-                mix_corners(walker, start, &mut cell);
+                self.mix_corners(walker, place, &mut cell);
             }
             let contrast = cell.contrast().max(told);
             *color = cell.color();
@@ -169,6 +167,7 @@ impl<'c> Chunk<'c> {
             let mut mixture = Mixture::NONE;
             mixture.add(*color, 1);
             for at in places {
+                let start = [self.first + place, self.upper.line()];
                 let sample = walker.sample(start, *at, parts);
                 mixture.add(sample.color, 1);
                 busy |= news.tell(self, (place, at), &sample);
@@ -176,19 +175,20 @@ impl<'c> Chunk<'c> {
             *color = mixture.mean(1 + to_u32(places.len()));
         }
     }
-}
 
-/// Gives the corners of a pixel the mean colours of the areas around them, each a quarter of a pixel. `start` is the pixel's upper
-/// left corner: its column and line.
-#[inline(never)]
-fn mix_corners<W: World, K: Shading, Q: Quality>(
-    walker: &mut Walker<'_, '_, W, K, Q>,
-    start: [u32; 2],
-    cell: &mut Cell,
-) {
-    let places = [[0, 0], [PIXEL, 0], [PIXEL, PIXEL], [0, PIXEL]];
-    for (corner, at) in cell.corners.iter_mut().zip(places) {
-        corner.color = walker.sample(start, at, 1).color;
+    /// Gives the corners of a pixel the colours of the areas around them, where they may show several cells of a checker.
+    #[inline(never)]
+    fn mix_corners<W: World, K: Shading, Q: Quality>(
+        &self,
+        walker: &mut Walker<'_, '_, W, K, Q>,
+        place: u32,
+        cell: &mut Cell,
+    ) {
+        let start = [self.first + place, self.upper.line()];
+        let places = [[0, 0], [PIXEL, 0], [PIXEL, PIXEL], [0, PIXEL]];
+        for (corner, at) in cell.corners.iter_mut().zip(places) {
+            corner.color = walker.sample(start, at, 1).color;
+        }
     }
 }
 

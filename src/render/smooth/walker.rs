@@ -112,14 +112,12 @@ impl<W: World, K: Shading, Q: Quality> Walker<'_, '_, W, K, Q> {
         for (column, ((start, end), side)) in columns.zip(pairs.zip(&mut found.sides)) {
             let bit = 1 << (column % CHUNK);
             if start.path == end.path {
-                continue;
-            }
-            if W::NEEDS.checkers && start.path.meets_same(end.path) {
+            } else if W::NEEDS.checkers && start.path.meets_same(end.path) {
                 found.tiled |= bit;
-                continue;
+            } else {
+                *side = self.divided([column, line], Self::ACROSS, [start, end]);
+                found.crossed |= bit;
             }
-            *side = self.divided([column, line], Self::ACROSS, [start, end]);
-            found.crossed |= bit;
         }
     }
 
