@@ -13,6 +13,7 @@ use crate::dither::Levels;
 #[derive(Parser)]
 #[command(name = "render", version, max_term_width = 100, after_long_help = after_help())]
 #[command(group = ArgGroup::new("film").multiple(true))]
+#[command(group = ArgGroup::new("truth").multiple(true))]
 pub struct Arguments {
     /// A built-in scene or a scene file
     #[arg(value_name = "SCENE|FILE.json", default_value = "castle")]
@@ -45,8 +46,8 @@ pub struct Arguments {
     #[arg(value_parser = smooth, conflicts_with_all = ["quality", "reference"])]
     smooth: Option<Quality>,
 
-    /// Compare with N x N samples of the reference for each pixel, from 1 to 32
-    #[arg(long, value_name = "N", default_value_t = 1)]
+    /// Take N x N samples of the reference for each pixel, from 1 to 32
+    #[arg(long, value_name = "N", default_value_t = 1, requires = "truth")]
     #[arg(allow_negative_numbers = true, value_parser = value_parser!(u32).range(1..=32))]
     pub samples: u32,
 
@@ -65,11 +66,11 @@ pub struct Arguments {
     pub raw: Option<PathBuf>,
 
     /// Render the double-precision reference instead
-    #[arg(long)]
+    #[arg(long, group = "truth")]
     pub reference: bool,
 
     /// Print the error of fixed point against the reference
-    #[arg(long)]
+    #[arg(long, group = "truth")]
     pub check: bool,
 
     /// Print what the scene needs of the library, what is left out and why; draw nothing

@@ -289,6 +289,7 @@ fn wrong_arguments_are_named_in_one_line() {
         "--dither rgb888 => possible values: rgb565, gray4, gray2, binary",
         "--out => a value is required for '--out <F.png>'",
         "--json --json => cannot be used multiple times",
+        "--samples 4 => the following required arguments were not provided:; <--reference|--check>",
         "--bogus => unexpected argument '--bogus' found",
         "castle floor => unexpected argument 'floor' found",
         "sandcastle => there is no built-in scene sandcastle, only castle, ",
