@@ -163,7 +163,7 @@ mod tests {
     use super::*;
 
     const MOST_CODE: usize = 19_614;
-    const MOST_OUTSIDE: usize = 37_080;
+    const MOST_OUTSIDE: usize = 37_091;
 
     /// Most lines of a file of the library without its tests.
     const LONGEST_FILE: usize = 300;

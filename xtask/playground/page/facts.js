@@ -41,7 +41,8 @@ function boardRows(boards, name, ratio) {
     .map((row) => {
       const value =
         ratio === null ? rate(row.frames_per_second) : `about ${(row.frames_per_second * ratio).toPrecision(2)}`;
-      return element("tr", {}, element("th", { scope: "row" }, row.board), element("td", {}, value));
+      const less = row.is_limit ? "less than " : "";
+      return element("tr", {}, element("th", { scope: "row" }, row.board), element("td", {}, less + value));
     });
 }
 

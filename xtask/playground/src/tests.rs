@@ -68,26 +68,6 @@ fn drawn(playground: &mut Playground, settings: Settings) -> (Vec<u8>, Value) {
 }
 
 #[test]
-fn pictures_have_the_hashes_that_an_emulated_board_reported() {
-    let measured = include_str!("../../../docs/measured/m3.jsonl").lines();
-    let records = measured.map(|line| serde_json::from_str::<Value>(line).unwrap());
-    let is_meant = |it: &Value| {
-        let keys = ["size", "reflections", "shading", "quality"];
-        json!(keys.map(|key| &it[key])) == json!(["64x64", 4, "blinn-phong", "fast"])
-    };
-    let mut seen = 0;
-    for record in records.filter(is_meant) {
-        let Some(name) = scenes::NAMES.iter().find(|name| record["scene"] == **name) else {
-            continue;
-        };
-        let (_, told) = drawn(&mut opened(name), MEASURED);
-        assert_eq!(told["hash"], record["hash"], "{name}");
-        seen += 1;
-    }
-    assert_eq!(seen, scenes::NAMES.len());
-}
-
-#[test]
 fn open_scene_tells_what_it_has_and_needs() {
     let mut playground = Playground::default();
     let facts = parsed(&playground.open(&text("castle"), -1));
