@@ -7,7 +7,7 @@ pub(crate) use rays::{PixelSides, RayGenerator, RowDirections};
 
 use crate::error::Error;
 use crate::error_kind::ErrorKind;
-use crate::number::{Number, Quotient, cotangent_of_half, sine_and_cosine_of};
+use crate::number::{Number, Quotient, Unit, cotangent_of_half, sine_and_cosine_of};
 use crate::vector::{Direction, Position};
 
 /// Narrowest field of view, in degrees. In a picture of 320 columns a pixel is then 2⁻²⁴ wide. A
@@ -139,7 +139,7 @@ impl Camera {
     /// instruction is executed.
     ///
     /// # Errors
-    /// [`ErrorKind::Up`] if the new camera would look along `up`, and [`ErrorKind::Coordinate`] if an
+    /// [`ErrorKind::Up`] if the new camera would look along `up`, or if it would have passed that view, and [`ErrorKind::Coordinate`] if an
     /// angle or a coordinate of the new position is not within ±2³⁰.
     pub fn orbited(
         &self,
@@ -159,10 +159,12 @@ impl Camera {
         let offset = offset.ok_or(Error::of("camera", ErrorKind::View))?;
         let axis = old.up.direction();
         let axis = axis.ok_or(Error::of("camera", ErrorKind::Up))?;
-        let raised = self
-            .forward
-            .reversed()
-            .turned_towards(self.up, sine_and_cosine_of(elevation));
+        let rise = sine_and_cosine_of(elevation);
+        // Beyond the pole, what was up in the picture would be down.
+        if self.up.turned_towards(self.forward, rise).dot(axis) <= Unit::ZERO {
+            return Err(Error::of("camera", ErrorKind::Up));
+        }
+        let raised = self.forward.reversed().turned_towards(self.up, rise);
         let turned = raised.turned_about(axis, sine_and_cosine_of(azimuth));
         let position = old.target.plus(turned, offset);
         let description = CameraDescription { position, ..old };

@@ -47,8 +47,8 @@ impl Error {
         Self { part, index, kind }
     }
 
-    /// Returns the name of the part that is wrong: `"sphere"`, `"plane"`, `"cylinder"`, `"disc"`,
-    /// `"light"`, `"material"`, `"scene"`, `"camera"` or `"motion"`.
+    /// Returns the name of the part that is wrong: `"sphere"`, `"plane"`, `"cylinder"`, `"disc"`, `"triangle"`,
+    /// `"light"`, `"sun"`, `"material"`, `"scene"`, `"sky"`, `"camera"`, `"motion"` or `"number"`.
     ///
     /// For [`ErrorKind::Limit`] it is the name of a need, such as `"mirrors"`.
     pub const fn part(&self) -> &'static str {

@@ -72,7 +72,7 @@ macro_rules! faults {
                     $(Self::$first => $first_message,)*
                     $(
                         Self::$too_many => concat!(
-                            "too many ", stringify!($list), ": raise `", stringify!($list), "` in room!(..)"
+                            "too many ", stringify!($list), ": raise `", stringify!($list), "` in room!(..), or take fewer in a scene!"
                         ),
                     )*
                     $(Self::$last => $last_message,)*
@@ -136,11 +136,11 @@ kinds!(faults, {
     }
     {
         /// More planes than the scene's type has room for.
-        TooManyPlanes "too many planes: raise `planes` in room!(..)";
+        TooManyPlanes "too many planes: raise `planes` in room!(..), or take fewer in a scene!";
         /// More lights than the scene's type has room for.
-        TooManyLights "too many lights: raise `lights` in room!(..)";
-        /// More different materials than the scene's type has room for.
-        TooManyMaterials "too many materials: raise `materials` in room!(..)";
+        TooManyLights "too many lights: raise `lights` in room!(..), or take fewer in a scene!";
+        /// More materials than the scene's type has room for.
+        TooManyMaterials "too many materials: raise `materials` in room!(..), or take fewer in a scene!";
         /// A [`MaterialId`](crate::MaterialId) of a material that was never added to this scene.
         UnknownMaterial "material does not exist in this scene: add it first";
         /// A [`Handle`](crate::Handle) of a part that this scene does not have, or that cannot move.
@@ -154,8 +154,8 @@ kinds!(faults, {
         TooManyMoving "at most 16 shapes of a constant scene move: use a RuntimeScene";
         /// A name for a part of a constant scene that cannot move, such as a plane or a light.
         NothingMoves "only bounded shapes of a constant scene can have a name and move: use a RuntimeScene";
-        /// A motion box that is missing, has `low` above `high`, or does not hold a part that moves.
-        Motion "motion box must hold every part that moves, in every place: declare or enlarge it";
+        /// A motion box that is missing, has `low` above `high`, or does not hold the ball around a part that moves.
+        Motion "motion box must hold the ball around every part that moves, in every place: declare or enlarge it";
         /// A camera whose position and target are the same point.
         View "target must differ from the position";
         /// A camera whose `up` is zero or within 2⁻²⁴ of parallel to the view direction.

@@ -1,6 +1,6 @@
 //! Ray-traced mirrors on microcontrollers.
 //!
-//! The library renders scenes of spheres, planes, open cylinders, discs, triangles and point lights. It computes in
+//! The library renders scenes of spheres, planes, open cylinders, discs and triangles under lamps and suns. It computes in
 //! fixed point, row by row and without a frame buffer, and draws into any [embedded-graphics]
 //! `DrawTarget`. Each pixel is
 //!

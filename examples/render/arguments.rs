@@ -46,10 +46,10 @@ pub struct Arguments {
     #[arg(value_parser = smooth, conflicts_with_all = ["quality", "reference"])]
     smooth: Option<Quality>,
 
-    /// Take N x N samples of the reference for each pixel, from 1 to 32
-    #[arg(long, value_name = "N", default_value_t = 1, requires = "truth")]
+    /// Take N x N samples of the reference for each pixel, from 1 to 32 [default: 1, or 9 with --smooth]
+    #[arg(long, value_name = "N", requires = "truth")]
     #[arg(allow_negative_numbers = true, value_parser = value_parser!(u32).range(1..=32))]
-    pub samples: u32,
+    samples: Option<u32>,
 
     /// Dither the picture for a display with such colours, after any comparison
     #[arg(long, hide_possible_values = true)]
@@ -74,7 +74,7 @@ pub struct Arguments {
     pub check: bool,
 
     /// Print what the scene needs of the library, what is left out and why; draw nothing
-    #[arg(long, conflicts_with_all = ["out", "raw", "reference", "check", "window"])]
+    #[arg(long, conflicts_with_all = ["out", "raw", "reference", "check", "window", "size", "dither"])]
     pub needs: bool,
 
     /// Draw N frames while the camera orbits its target once, from 2 to 360 (feature `film`)
@@ -111,6 +111,12 @@ impl Arguments {
     pub fn picture_is_printed(&self) -> bool {
         let mut paths = [&self.out, &self.raw, &self.gif].into_iter().flatten();
         paths.any(|path| is_standard_output(path))
+    }
+
+    /// Returns how many samples of the reference are taken along each side of a pixel.
+    pub fn samples(&self) -> u32 {
+        self.samples
+            .unwrap_or(if self.smooth.is_some() { 9 } else { 1 })
     }
 
     /// Returns the settings with which the picture is drawn: reflections, shading and quality.

@@ -27,8 +27,9 @@ pub struct Drawing {
     pub seconds: f64,
     /// Report of the fixed-point renderer, if it rendered.
     pub report: Option<Report>,
-    /// Difference of fixed point from the reference, if both rendered.
-    pub difference: Option<Difference>,
+    /// Difference of fixed point from the reference, if both rendered, and the samples of the reference along each
+    /// side of a pixel.
+    pub difference: Option<(Difference, u32)>,
 }
 
 impl Drawing {
@@ -40,7 +41,7 @@ impl Drawing {
             let Size { width, height } = arguments.size;
             let (reflections, shading) = (arguments.reflections.into(), arguments.shading);
             let shading = shading.into();
-            let size = [width, height, arguments.samples];
+            let size = [width, height, arguments.samples()];
             let render = || reference::sampled(&scene, &camera, size, reflections, shading);
             progress::watch(None, |_| timed(render))
         };
@@ -58,7 +59,8 @@ impl Drawing {
             Self::in_fixed_point(source, &camera, arguments.size, arguments.settings())?;
         if arguments.check {
             let (picture, seconds) = exactly();
-            drawing.difference = Some(compare(&to_picture(&drawing.display), &picture)?);
+            let difference = compare(&to_picture(&drawing.display), &picture)?;
+            drawing.difference = Some((difference, arguments.samples()));
             if arguments.reference {
                 (drawing.display, drawing.seconds) = (to_display(&picture), seconds);
             }

@@ -16,7 +16,7 @@ pub fn json(scene: &str, size: Size, settings: Settings, drawing: &Drawing) -> S
         ("quality", quality(settings, drawing).into()),
         ("seconds", drawing.seconds.into()),
     ];
-    if let Some(found) = &drawing.difference {
+    if let Some((found, _)) = &drawing.difference {
         fields.extend([
             ("same", found.same.into()),
             ("within1", found.within1.into()),
@@ -42,12 +42,16 @@ pub fn text(scene: &str, size: Size, settings: Settings, drawing: &Drawing) -> S
     if let Some(report) = drawing.report {
         text += &format!(", {report}");
     }
-    if let Some(found) = &drawing.difference {
+    if let Some((found, samples)) = &drawing.difference {
         let shares = [found.same, found.within1, found.within8];
         let [same, within1, within8] = shares.map(|share| 100.0 * share);
         let (psnr, max) = (found.psnr, found.max);
+        let sampled = match samples {
+            1 => String::new(),
+            _ => format!(", {samples} x {samples} samples a pixel"),
+        };
         text += &format!(
-            "\nagainst double precision: same {same:.3} %, within 1 {within1:.3} %, \
+            "\nagainst double precision{sampled}: same {same:.3} %, within 1 {within1:.3} %, \
              within 8 {within8:.3} %, PSNR {psnr:.2} dB, largest difference {max}"
         );
     }

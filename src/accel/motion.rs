@@ -80,6 +80,7 @@ use crate::vector::Position;
 /// | m3 | castle | 2240 | 75238 | 110.4 % |
 /// | m3 | mirror1 | 1660 | 11681 | 111.7 % |
 /// | m3 | primitives | 1547 | 5080 | 112.8 % |
+#[derive(Debug)]
 pub struct MovingScene<T: StaticScene>(Scene<T::Room>);
 
 impl<T: StaticScene> Clone for MovingScene<T> {
@@ -90,7 +91,7 @@ impl<T: StaticScene> Clone for MovingScene<T> {
 
 impl<T: StaticScene> MovingScene<T> {
     /// Copies the constant scene `T` into RAM. The shapes are where the description puts them.
-    pub fn new() -> Self {
+    pub const fn new() -> Self {
         Self(*T::SCENE)
     }
 
@@ -162,8 +163,8 @@ macro_rules! motion {
                 /// material. Only this shape is prepared again.
                 ///
                 /// # Errors
-                #[doc = concat!("The mistake in the ", stringify!($kind), "; [`ErrorKind::UnknownHandle`] if the handle")]
-                /// is not of this scene; [`ErrorKind::Motion`] if the ball around it does not lie inside
+                #[doc = concat!("The mistake in the ", stringify!($kind), "; [`ErrorKind::UnknownHandle`] if no ", stringify!($kind))]
+                /// with the handle's index can move in this scene; [`ErrorKind::Motion`] if the ball around it does not lie inside
                 /// of the motion box. After an error the scene is unchanged.
                 pub fn $set(
                     &mut self,
@@ -224,8 +225,8 @@ impl<R: Capacity> Scene<R> {
     /// Prepares only the occluders of this light again. A light may leave the motion box.
     ///
     /// # Errors
-    /// [`ErrorKind::Coordinate`] if a coordinate is not within ±2³⁰; [`ErrorKind::UnknownHandle`] if
-    /// there is no such light. After an error the scene is unchanged.
+    /// [`ErrorKind::Coordinate`] if a coordinate is not within ±2³⁰; [`ErrorKind::Sun`] if a sun's direction is
+    /// zero; [`ErrorKind::UnknownHandle`] if there is no such light. After an error the scene is unchanged.
     pub fn set_light(
         &mut self,
         light: Handle<Light>,

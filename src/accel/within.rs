@@ -36,6 +36,7 @@ use crate::scene::{Needs, NeedsLimit, Parts};
 /// assert_eq!(error.part(), "mirrors");
 /// # Ok::<(), reflet::Error>(())
 /// ```
+#[derive(Debug)]
 pub struct Limited<'a, S, L> {
     scene: &'a S,
     limit: PhantomData<fn() -> L>,

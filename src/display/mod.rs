@@ -109,13 +109,13 @@ impl<S: Drawable, Q: Quality, K: Shading> Rows<'_, S, Q, K> {
         top_left: Point,
         target: &mut D,
     ) -> Result<Report, D::Error> {
-        let visible = Rectangle::new(
-            target.bounding_box().top_left - top_left,
-            target.bounding_box().size,
+        let mut visible = target.bounding_box();
+        visible.top_left = Point::new(
+            visible.top_left.x.saturating_sub(top_left.x),
+            visible.top_left.y.saturating_sub(top_left.y),
         );
-        let area = Rectangle::new(Point::zero(), self.size())
-            .intersection(&area)
-            .intersection(&visible);
+        let picture = Rectangle::new(Point::zero(), self.size());
+        let area = common(common(picture, area), visible);
         let mut report = Report::NONE;
         if area.is_zero_sized() {
             return Ok(report);
@@ -149,6 +149,22 @@ impl<S: Drawable, Q: Quality, K: Shading> Rows<'_, S, Q, K> {
         }
         Ok(report)
     }
+}
+
+/// Returns the common part of two rectangles of any size.
+fn common(one: Rectangle, other: Rectangle) -> Rectangle {
+    let end = |it: Rectangle| {
+        let Size { width, height } = it.size;
+        let Point { x, y } = it.top_left;
+        Point::new(
+            x.saturating_add_unsigned(width),
+            y.saturating_add_unsigned(height),
+        )
+    };
+    let start = one.top_left.component_max(other.top_left);
+    let end = end(one).component_min(end(other));
+    let side = |start: i32, end: i32| unsigned(end.saturating_sub(start).max(0));
+    Rectangle::new(start, Size::new(side(start.x, end.x), side(start.y, end.y)))
 }
 
 /// Returns the colour that a display shows for the sum of a path.

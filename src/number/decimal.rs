@@ -143,7 +143,7 @@ macro_rules! exact {
         })*
     };
 }
-exact!(i32 I16F16 U16F16 I32F32);
+exact!(i8 u8 i16 u16 i32 u32 i64 I16F16 U16F16 I32F32);
 
 impl From<I64F64> for Number {
     fn from(value: I64F64) -> Self {

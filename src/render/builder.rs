@@ -29,6 +29,7 @@ use crate::shade::{BlinnPhong, Shading};
 ///     .draw(&mut display)?;
 /// # Ok::<(), core::convert::Infallible>(())
 /// ```
+#[derive(Debug)]
 pub struct FrameBuilder<'a, S, Q = Fast, K = BlinnPhong> {
     scene: &'a S,
     camera: &'a Camera,

@@ -107,15 +107,20 @@ pub(crate) struct Colors<'s, 'a, W: World, K, Q, M = Unmarked> {
     pub(super) marks: M,
 }
 
+/// Tests whether a number is within 0 to 1.
+const fn is_share(number: Unit) -> bool {
+    number.to_bits() >= 0 && number.to_bits() <= Unit::ONE.to_bits()
+}
+
 impl<'s, 'a, W: World, K: Shading, Q: Quality, M: Marks> Colors<'s, 'a, W, K, Q, M> {
     /// Tolerance of interpolated colours, in steps of a [`Sum`].
     const TOLERANCE: i32 = Q::TOLERANCE.to_bits() >> 6;
 
-    /// Compile-time check of a quality: its tolerance and its number of rows.
+    /// Compile-time check of a quality: its shares and its number of rows.
     const IS_SOUND: () = {
         assert!(
-            Q::TOLERANCE.to_bits() >= 0 && Q::TOLERANCE.to_bits() <= Unit::ONE.to_bits(),
-            "a quality has a tolerance of 0 to 1"
+            is_share(Q::TOLERANCE) && is_share(Q::SMALLEST_WEIGHT),
+            "the TOLERANCE and the SMALLEST_WEIGHT of a quality are 0 to 1"
         );
         assert!(
             matches!(Q::SMOOTHNESS, 1 | 2 | 4),

@@ -22,9 +22,9 @@ use crate::trace::{Traced, Tracer};
 
 /// A frame prepared for one size of picture: rays, screen bounds and visible lights, without the scene.
 ///
-/// The frame owns its data and borrows nothing. So it can be stored in a struct beside its scene, sent
-/// to another thread or core, and shared. [`on`](PreparedFrame::on) joins it with the scene again, and
-/// refuses a scene that has changed.
+/// The frame owns its data. So it can be stored in a struct beside its scene, sent to another thread or core, and
+/// shared. Only the frame of a [`Limited`](crate::needs::Limited) or a [`Tabled`](crate::Tabled) scene borrows that scene.
+/// [`on`](PreparedFrame::on) joins a frame with its scene again, and refuses a scene that has changed.
 ///
 /// ```
 /// use embedded_graphics::{pixelcolor::Rgb888, prelude::*};
@@ -56,6 +56,7 @@ use crate::trace::{Traced, Tracer};
 /// assert_eq!(app.frame.on(&app.scene).err().unwrap().kind(), ErrorKind::Changed);
 /// # Ok::<(), Error>(())
 /// ```
+#[derive(Debug)]
 pub struct PreparedFrame<S: Drawable, Q = Fast, K = BlinnPhong> {
     /// Generator of the camera rays; `None` if the scene has no shape.
     generator: Option<RayGenerator>,
@@ -176,6 +177,7 @@ impl<S: Drawable, Q, K> PreparedFrame<S, Q, K> {
 /// assert_eq!((rows.size(), display.get_pixel(Point::zero())), (Size::new(64, 48), None));
 /// # Ok::<(), Error>(())
 /// ```
+#[derive(Debug)]
 pub struct Rows<'a, S: Drawable, Q = Fast, K = BlinnPhong> {
     world: S::World<'a>,
     frame: &'a PreparedFrame<S, Q, K>,

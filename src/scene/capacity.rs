@@ -48,6 +48,7 @@ macro_rules! capacity {
                 let mut index = 0;
                 while index < fields.len() {
                     let (name, count) = fields[index];
+                    assert!(count < 1 << 16, "room!(..) has room for at most 65535 of each kind");
                     index += 1;
                     $(
                         if is_same(name, stringify!($list)) {

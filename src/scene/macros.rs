@@ -56,10 +56,28 @@ macro_rules! room {
 
 /// Declares a constant scene: a type without fields, whose scene the compiler checks and prepares.
 ///
-/// Each line is a method of [`SceneBuilder`](crate::SceneBuilder) with its arguments: `sphere`, `plane`,
-/// `cylinder`, `disc`, `triangle`, `light`, `sun`, `background`, `epsilon`, `camera`, `motion`. The macro counts the parts
-/// and chooses the room. A mistake stops the compiler with a message that names the part, its line and the
-/// fix.
+/// Each line is a method of [`SceneBuilder`](crate::SceneBuilder) with its arguments, in any order:
+///
+/// | line | most | arguments |
+/// |---|--:|---|
+/// | `sphere(center, radius, material)` | 512 | |
+/// | `cylinder(center, axis, radius, height, material)` | 128 | open at both ends; the middle of the axis, and the height from end to end |
+/// | `disc(center, normal, radius, material)` | 128 | |
+/// | `triangle(corners, normals, material)` | 256 | three corners; `Some` three normals, or `None` if it is flat |
+/// | `plane(point, normal, material)` | 32 | infinite, through any point of it |
+/// | `light(position, color)` | 16 | a lamp |
+/// | `light_with_range(position, color, range)` | | a lamp whose light falls off: half is left at the distance `range` |
+/// | `sun(direction, color)` | | a light far away; counts as a lamp does. The direction points towards it |
+/// | `sun_with_disc(direction, color, degrees)` | | the same, seen as a disc of this angle |
+/// | `background(color)` | 1 | what rays show that meet nothing |
+/// | `sky(up, [below, horizon, above])` | 1 | three colours instead of one |
+/// | `epsilon(length)` | 1 | how far above a surface the next ray starts; 0.001 |
+/// | `motion(low, high)` | 1 | two corners of the box in which shapes move |
+/// | `camera(camera)` | 1 | a camera to keep with the scene |
+///
+/// Vectors and colours are arrays of three `f64`, lengths and angles are `f64`. Up to 256 different materials are used; one
+/// that is used twice counts once. The macro counts the parts and chooses the room. A mistake stops the compiler with a
+/// message that names the part and the fix, and the line if the part is wrong by itself.
 ///
 /// The type has a function `frame`, which views the scene through a camera and returns a
 /// [`FrameBuilder`](crate::FrameBuilder).

@@ -117,6 +117,11 @@ const SHOWN: &[(&str, &str, &str)] = &[
         "room!(spheres: 1, sperez: 2)",
     ),
     (
+        "type Tried = reflet::RuntimeScene<room!(spheres: 66000)>; const TRIED: Option<Tried> = None;",
+        "error[E0080]: evaluation panicked: room!(..) has room for at most 65535 of each kind",
+        "room!(spheres: 66000)",
+    ),
+    (
         "scene! { struct Tried {\nsphere([0.0; 3], 1.0, WHITE);\nplane([0.0; 3], UP, WHITE.mirror(2.0));\n} }",
         "error[E0080]: evaluation panicked: material: mirror must be within 0 to 1",
         "plane([0.0; 3], UP, WHITE.mirror(2.0));\n  |                     ^^^^^^^^^^^^^^^^^",

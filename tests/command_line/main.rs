@@ -192,6 +192,31 @@ fn equal_pictures_have_no_psnr_in_json() {
     let expected = "against double precision: same 100.000 %, within 1 100.000 %, \
                     within 8 100.000 %, PSNR inf dB, largest difference 0\n";
     assert!(words.ends_with(expected), "{words}");
+    for call in ["--samples 9", "--smooth"] {
+        let words = printed(&folder, &format!("empty --size 5x5 --check {call}"));
+        let expected = "against double precision, 9 x 9 samples a pixel: same 100.000 %";
+        assert!(words.contains(expected), "{words}");
+    }
+}
+
+#[test]
+fn needs_say_what_the_shading_leaves_out() {
+    let folder = Folder::new("needs");
+    let is_needed = |shading: &str, name: &str| {
+        let line = line_of_json(
+            &folder,
+            &format!("castle --needs --json --shading {shading}"),
+        );
+        let mut needs = line["needs"].as_array().unwrap().iter();
+        needs.find(|need| need["name"] == name).unwrap()["is_needed"] == true
+    };
+    for name in ["shadows", "highlights", "mirrors", "near_lights"] {
+        assert!(
+            is_needed("phong", name) && !is_needed("normals", name),
+            "{name}"
+        );
+    }
+    assert!(is_needed("normals", "spheres"));
 }
 
 #[test]
@@ -290,6 +315,7 @@ fn wrong_arguments_are_named_in_one_line() {
         "--out => a value is required for '--out <F.png>'",
         "--json --json => cannot be used multiple times",
         "--samples 4 => the following required arguments were not provided:; <--reference|--check>",
+        "--needs --size 9x9 => cannot be used with '--size <WxH>'",
         "--bogus => unexpected argument '--bogus' found",
         "castle floor => unexpected argument 'floor' found",
         "sandcastle => there is no built-in scene sandcastle, only castle, ",

@@ -101,8 +101,13 @@ fn control_characters_of_names_are_escaped() {
     let scene = changed(|it| it["name"] = "\u{1b}[31m\u{7}\u{9b}".into());
     folder.write("it.json", scene);
     let no_controls = |text: &str| !text.replace('\n', "").contains(char::is_control);
-    for call in ["", "--needs", "--json", "--check"] {
-        let words = printed(&folder, &format!("it.json --size 1x1 {call}"));
+    for call in [
+        "--size 1x1",
+        "--needs",
+        "--size 1x1 --json",
+        "--size 1x1 --check",
+    ] {
+        let words = printed(&folder, &format!("it.json {call}"));
         assert!(no_controls(&words), "{words:?}");
         assert!(words.contains("[31m"), "{words:?}");
     }

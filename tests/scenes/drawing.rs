@@ -297,6 +297,37 @@ fn area_is_a_crop_of_the_whole() {
 }
 
 #[test]
+fn area_of_any_size_at_any_place_is_cut_to_the_picture_and_the_display() {
+    let picture = picture(24, 18);
+    let whole = rows::<Rgb888>(&picture);
+    let (least, most) = (Point::new_equal(i32::MIN), Point::new_equal(i32::MAX));
+    let endless = Size::new_equal(u32::MAX);
+    for (area, top_left, from) in [
+        (
+            Rectangle::new(Point::new(5, 6), endless),
+            Point::zero(),
+            Point::new(5, 6),
+        ),
+        (Rectangle::new(least, endless), Point::zero(), Point::zero()),
+        (Rectangle::new(most, endless), Point::zero(), most),
+        (Rectangle::new(Point::zero(), endless), least, most),
+        (Rectangle::new(least, endless), most, most),
+    ] {
+        let mut display = recorder(40, 40);
+        on(&picture)
+            .draw_area(area, top_left, &mut display)
+            .unwrap();
+        let seen = Rectangle::new(Point::zero(), picture.size()).points();
+        let seen = seen.filter(|at| at.x >= from.x && at.y >= from.y);
+        let expected = seen.map(|at| (at, whole[at.y as usize][at.x as usize]));
+        assert!(
+            display.pixels().into_iter().eq(expected),
+            "{area:?} at {top_left}"
+        );
+    }
+}
+
+#[test]
 fn rows_make_the_same_picture_as_draw() {
     let mut display = recorder(33, 20);
     let drawn = frame().draw(&mut display).unwrap();

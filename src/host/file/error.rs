@@ -268,7 +268,8 @@ macro_rules! refused {
             ];
             let list = names.iter().find(|(part, _)| *part == error.part());
             let Some(((_, list), index)) = list.zip(error.index()) else {
-                return error.kind().to_string();
+                let fault = error.kind().message();
+                return if error.part() == "sky" { format!("sky: {fault}") } else { fault.to_owned() };
             };
             let room = FileRoom::COUNTS;
             let most = match error.kind() {

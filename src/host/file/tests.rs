@@ -328,6 +328,12 @@ fn sky_arrives_in_core_and_reference_and_excludes_a_background() {
         "scene still life: a scene has a background or a sky: leave one out"
     );
     sky.as_object_mut().unwrap().remove("background");
+    let mut flat = sky.clone();
+    flat["sky"]["up"] = json!([0, 0, 0]);
+    assert_eq!(
+        complaint(&flat.to_string()),
+        "scene still life: sky: up must not be zero"
+    );
     let file = parsed(&sky.to_string());
     let (exact, _) = file.reference();
     let up = [0.0, 0.0, 2.0];

@@ -4,6 +4,7 @@ use std::fmt::Display;
 use std::io::{self, Write};
 use std::process::ExitCode;
 
+use clap::error::ErrorKind;
 use reflet::host::line::{escaped, one_line};
 
 use crate::Failure;
@@ -30,6 +31,9 @@ pub fn exit_code(done: Result<(), impl Display>) -> ExitCode {
 
 /// Joins the lines of clap's error message into one line. Leaves out the advice to read the help.
 pub fn in_one_line(error: &clap::Error) -> String {
+    if error.kind() == ErrorKind::DisplayHelpOnMissingArgumentOrSubcommand {
+        return "a command is missing: --help lists them".to_owned();
+    }
     let text = error.render().to_string();
     let is_end = |line: &&str| line.starts_with("Usage:") || line.starts_with("For more info");
     let is_empty = |line: &&str| line.is_empty() || line.starts_with("tip: to pass");

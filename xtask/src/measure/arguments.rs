@@ -32,7 +32,7 @@ pub struct Arguments {
 
     /// Measure everything again, on --core or on all, and write docs/measured and docs/boards.md
     #[arg(long, conflicts_with_all = ["scene", "chosen", "size"])]
-    #[arg(conflicts_with_all = ["reflections", "shading", "quality", "json"])]
+    #[arg(conflicts_with_all = ["reflections", "shading", "quality", "json", "is_whole"])]
     pub(super) all: bool,
 
     /// Estimate the frames a second of boards that people own again, and write

@@ -26,7 +26,7 @@ pub(super) const SIZE: Size = Size::new(240, 240);
 pub struct Board {
     /// Estimate frames a second on this board, at 240x240 unless --size is given
     #[arg(long, value_name = "NAME", value_parser = Owned::parser())]
-    #[arg(conflicts_with_all = ["clock", "core", "moving", "all", "profiles", "frames"])]
+    #[arg(conflicts_with_all = ["clock", "core", "moving", "all", "profiles", "frames", "yardstick", "units"])]
     pub(super) board: Option<&'static Owned>,
 
     /// Estimate frames a second at this clock of the core, at 240x240 unless --size is given
