@@ -43,8 +43,7 @@
 //! # An animation
 //!
 //! A shape with a name can move, inside of a box that the scene declares. Only the shape that moves is
-//! prepared again. Numbers may be integers, floats or fixed-point numbers. No float instruction is
-//! executed.
+//! prepared again. Numbers may be integers, floats or fixed-point numbers. No float instruction is executed.
 //!
 //! ```
 //! use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Rgb888};
@@ -135,6 +134,7 @@
 //! | distance at which a plane is still met | 2³³ extents |
 //! | colours, ambient, diffuse, specular, lights | 0 to 16 |
 //! | brightest that a material may be under its lights | 30 times white |
+//! | distance at which half of a light is left (`range`) | 2⁻⁶⁴ to 2³⁰ scene units |
 //! | shininess | 0 to 2²⁰, any real number |
 //! | mirror (α) | 0 to 1 |
 //! | size of a checker's cells | 0, or 2⁻²⁷ to 2¹⁶ of the scene's extent |
