@@ -20,13 +20,14 @@ pub(crate) mod light_visibility;
 mod motion;
 pub(crate) mod row_list;
 mod scene;
-mod screen_axis;
+pub(crate) mod screen_axis;
 pub(crate) mod screen_bounds;
 pub(crate) mod screen_culling;
 mod screen_rect;
 mod static_scene;
 pub(crate) mod stretch;
 pub(crate) mod thin;
+mod touched;
 mod within;
 
 pub(crate) use active_list::Window;
@@ -36,6 +37,8 @@ pub(crate) use light_stretch::{LitStretch, is_clear_way, lights_all};
 pub use motion::MovingScene;
 pub use scene::{Scene, Tabled};
 pub use static_scene::{Apart, Static, StaticScene};
+pub use touched::BoundedShape;
+pub(crate) use touched::Touched;
 pub use within::Limited;
 
 pub use active_lists::ActiveRoom;

@@ -9,14 +9,14 @@ use crate::vector::Vector;
 /// A range of pixel columns in which rays can hit a shape. Columns outside of the picture may be
 /// included.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Columns {
-    pub(super) first: i32,
-    pub(super) last: i32,
+pub(crate) struct Columns {
+    pub(crate) first: i32,
+    pub(crate) last: i32,
 }
 
 impl Columns {
     /// All columns. Used where nothing is known about a shape.
-    pub(super) const ALL: Self = Self {
+    pub(crate) const ALL: Self = Self {
         first: 0,
         last: i32::MAX,
     };
@@ -55,6 +55,20 @@ impl ScreenAxis {
         }
         let [a, b] = ends.map(|end| self.sphere_bounds(end, radius));
         self.visible(a.with(b))
+    }
+
+    /// Returns the columns in which rays can hit the convex hull of balls of the same radius, `None` if the picture does
+    /// not show them. `ways` are the vectors from the eye to their centres.
+    pub(super) fn hull_columns(&self, ways: &[Vector], radius: i32) -> Option<Columns> {
+        let ahead = |way: &Vector| way.dot(self.ahead);
+        if ways.iter().any(|way| ahead(way) <= radius) {
+            return ways
+                .iter()
+                .any(|way| ahead(way) >= -radius)
+                .then_some(Columns::ALL);
+        }
+        let columns = ways.iter().map(|way| self.sphere_bounds(*way, radius));
+        self.visible(columns.reduce(Columns::with)?)
     }
 
     /// Returns the columns in which rays can hit a sphere, `None` if the picture does not show them.

@@ -3,12 +3,14 @@
 //!
 //! Floor 8, the only one that names embedded-graphics. It knows no ray.
 
+mod areas;
 mod bound;
 pub(crate) mod budget;
 mod coarse;
 mod dither;
 mod enlarged;
 
+pub use areas::Areas;
 pub use coarse::coarse_first;
 pub use dither::{Ditherable, Dithered, Threshold, dither};
 pub use enlarged::Enlarged;

@@ -4,10 +4,14 @@ use core::marker::PhantomData;
 
 use super::PreparedFrame;
 use crate::accel::drawable::{Drawable, Everything};
-use crate::accel::{ActiveRoom, Apart, Limited, MovingScene, Scene, Tabled};
+use crate::accel::screen_axis::Columns;
+use crate::accel::{ActiveRoom, Apart, BoundedShape, Limited, MovingScene, Scene, Tabled, Touched};
 use crate::camera::Camera;
+use crate::error::Error;
+use crate::error_kind::ErrorKind;
 use crate::qualities::{Fast, Quality};
-use crate::scene::NeedsLimit;
+use crate::scene::access::SceneAccess;
+use crate::scene::{Handle, NeedsLimit};
 use crate::shade::{BlinnPhong, Shading};
 
 /// The settings of a frame: a scene, a camera, a number of reflections, a quality `Q` and a shading `K`.
@@ -107,6 +111,37 @@ impl<'a, S: Drawable, Q: Quality, K: Shading> FrameBuilder<'a, S, Q, K> {
     /// Returns the scene that the frame shows.
     pub(crate) fn scene(&self) -> &'a S {
         self.scene
+    }
+
+    /// Calls `found` with the columns and rows of each part of a picture that may depend on a shape. Returns `false` if that may
+    /// be the whole picture.
+    ///
+    /// # Errors
+    /// [`ErrorKind::UnknownHandle`] if the scene has no such shape.
+    #[inline(never)]
+    pub(crate) fn touched<T: BoundedShape>(
+        &self,
+        shape: Handle<T>,
+        [width, height]: [u32; 2],
+        found: impl FnMut([Columns; 2]),
+    ) -> Result<bool, Error> {
+        let world = &self.scene.world();
+        let (parts, index) = (world.parts(), shape.index());
+        let unknown = Error::at(T::KIND, index, ErrorKind::UnknownHandle);
+        let shape = parts.shape_of::<T>(index).ok_or(unknown)?;
+        let from = parts.grid.place(self.camera.description().position);
+        if !from.is_near() {
+            return Ok(false);
+        }
+        let generator = self.camera.generator(width, height);
+        let axes = self.camera.screen_axes(&generator, from.point);
+        let bounces = if K::REFLECTS { self.reflections.into() } else { 0 };
+        Ok(Touched::find(
+            world,
+            &axes,
+            shape,
+            (bounces, K::SHADOWS, found),
+        ))
     }
 
     /// Prepares the frame for a picture of `width` columns and `height` rows, each clamped to 1 to

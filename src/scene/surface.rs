@@ -197,6 +197,11 @@ impl Bend {
 }
 
 impl<'a> Parts<'a> {
+    /// Returns the capsule around a bounded shape: its middle, half of its axis, and its radius.
+    pub(crate) fn outline(&self, shape: ShapeId) -> Option<(Point, Vector, i32)> {
+        of_kind!(self, shape, |it| it.outline())
+    }
+
     /// Returns the outward normal of a shape at a near point on it, and the shape's material.
     #[inline(always)]
     pub(crate) fn outside(&self, shape: ShapeId, at: Point) -> Option<(Direction, MaterialId)> {
@@ -247,7 +252,7 @@ impl<'a> Parts<'a> {
             },
             Some(radius) => divide(1 << 61, unsigned(radius)),
         };
-        let axis = of_kind!(self, surface.shape, |it| it.outline().1).unwrap_or(Vector::ZERO);
+        let axis = self.outline(surface.shape).map_or(Vector::ZERO, |it| it.1);
         Some(Bend {
             curve,
             axis: (axis != Vector::ZERO).then(|| axis.normalised().0),

@@ -1,6 +1,7 @@
 //! Tests pictures of scenes. They are one program, so that the renderer is compiled once for all.
 
 mod accuracy;
+mod areas;
 mod bound;
 mod budget;
 mod course;

@@ -226,17 +226,17 @@ fn pictures<S: Drawable>(scene: &S, camera: &Camera) -> [Picture; 2] {
 }
 
 /// Random numbers that are the same in every run: xorshift, 64 bits.
-struct Random(u64);
+pub(crate) struct Random(pub(crate) u64);
 
 impl Random {
-    fn below(&mut self, end: u32) -> u32 {
+    pub(crate) fn below(&mut self, end: u32) -> u32 {
         self.0 ^= self.0 << 13;
         self.0 ^= self.0 >> 7;
         self.0 ^= self.0 << 17;
         (self.0 >> 32) as u32 % end
     }
 
-    fn within(&mut self, low: f64, high: f64) -> f64 {
+    pub(crate) fn within(&mut self, low: f64, high: f64) -> f64 {
         low + (high - low) * f64::from(self.below(1 << 20)) / f64::from(1 << 20)
     }
 
@@ -246,7 +246,7 @@ impl Random {
     }
 
     /// Returns a direction of any length but 0.
-    fn direction(&mut self) -> [f64; 3] {
+    pub(crate) fn direction(&mut self) -> [f64; 3] {
         [
             self.within(-1.0, 1.0),
             self.within(-1.0, 1.0),

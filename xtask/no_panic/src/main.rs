@@ -152,7 +152,12 @@ fn fill() -> Option<(Scene<Four>, Camera)> {
     let camera = Camera::new(point(), point(), point(), number());
     let camera = camera.and_then(|camera| camera.orbited(number(), number()));
     let mut scene = black_box(scene.build().ok()?);
-    let _ = black_box(scene.set_sphere(sphere.ok()?, point(), number()));
+    let sphere = sphere.ok()?;
+    if let Ok(camera) = &camera {
+        let areas = scene.frame(camera).areas_of(sphere, Size::new(64, 48));
+        let _ = black_box(areas.map(|areas| areas.clone().with(&areas)));
+    }
+    let _ = black_box(scene.set_sphere(sphere, point(), number()));
     let _ = black_box(scene.set_cylinder(cylinder.ok()?, point(), point(), number(), number()));
     let _ = black_box(scene.set_disc(disc.ok()?, point(), point(), number()));
     let _ = black_box(scene.set_triangle(triangle.ok()?, corners(), black_box(Some(corners()))));
