@@ -59,15 +59,16 @@ impl ScreenAxis {
 
     /// Returns the columns in which rays can hit the convex hull of balls of the same radius, `None` if the picture does
     /// not show them. `ways` are the vectors from the eye to their centres.
-    pub(super) fn hull_columns(&self, ways: &[Vector], radius: i32) -> Option<Columns> {
-        let ahead = |way: &Vector| way.dot(self.ahead);
-        if ways.iter().any(|way| ahead(way) <= radius) {
-            return ways
-                .iter()
-                .any(|way| ahead(way) >= -radius)
-                .then_some(Columns::ALL);
+    pub(super) fn hull_columns(
+        &self,
+        ways: impl Iterator<Item = Vector> + Clone,
+        radius: i32,
+    ) -> Option<Columns> {
+        let mut aheads = ways.clone().map(|way| way.dot(self.ahead));
+        if aheads.clone().any(|ahead| ahead <= radius) {
+            return aheads.any(|ahead| ahead >= -radius).then_some(Columns::ALL);
         }
-        let columns = ways.iter().map(|way| self.sphere_bounds(*way, radius));
+        let columns = ways.map(|way| self.sphere_bounds(way, radius));
         self.visible(columns.reduce(Columns::with)?)
     }
 

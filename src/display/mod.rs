@@ -10,6 +10,7 @@ mod coarse;
 mod dither;
 mod enlarged;
 
+pub use crate::accel::BoundedShape;
 pub use areas::Areas;
 pub use coarse::coarse_first;
 pub use dither::{Ditherable, Dithered, Threshold, dither};

@@ -23,7 +23,7 @@ use crate::trace::{Traced, Tracer};
 /// A frame prepared for one size of picture: rays, screen bounds and visible lights, without the scene.
 ///
 /// The frame owns its data. So it can be stored in a struct beside its scene, sent to another thread or core, and
-/// shared. Only the frame of a [`Limited`](crate::needs::Limited) or a [`Tabled`](crate::Tabled) scene borrows that scene.
+/// shared. Only the frame of a [`Limited`](crate::needs::Limited) or a [`Tabled`](crate::needs::Tabled) scene borrows that scene.
 /// [`on`](PreparedFrame::on) joins a frame with its scene again, and refuses a scene that has changed.
 ///
 /// ```
@@ -134,7 +134,7 @@ impl<S: Drawable, Q: Quality, K: Shading> PreparedFrame<S, Q, K> {
         }
     }
 
-    /// Joins the frame with its scene without a check. The scene must be the one the frame was prepared for.
+    /// Joins the frame with its scene, which is the one it was prepared for, without a check.
     #[inline(always)]
     pub(crate) fn unchanged<'a>(&'a self, scene: &'a S) -> Rows<'a, S, Q, K> {
         Rows {
@@ -154,8 +154,7 @@ impl<S: Drawable, Q, K> PreparedFrame<S, Q, K> {
 
 /// The rows of a picture: a prepared frame joined with its scene. [`PreparedFrame::on`] creates it.
 ///
-/// Drawing changes nothing in it. So rows can be drawn in any order, interrupted, or shared between
-/// cores.
+/// Drawing changes nothing in it. So rows can be drawn in any order, interrupted, or shared between cores.
 ///
 /// ```
 /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Rgb888, prelude::*};

@@ -268,8 +268,8 @@ macro_rules! refused {
             ];
             let list = names.iter().find(|(part, _)| *part == error.part());
             let Some(((_, list), index)) = list.zip(error.index()) else {
-                let fault = error.kind().message();
-                return if error.part() == "sky" { format!("sky: {fault}") } else { fault.to_owned() };
+                let part = if error.part() == "sky" { "sky: " } else { "" };
+                return part.to_owned() + error.kind().message();
             };
             let room = FileRoom::COUNTS;
             let most = match error.kind() {
