@@ -195,18 +195,23 @@ impl<'a, W: World, F: FnMut([Columns; 2])> Touched<'a, W, F> {
             self.is_whole = true;
             return;
         };
-        for plane in parts.planes {
+        for plane in parts.planes.iter().filter(|plane| !cone.is_beyond(plane)) {
             let mut cut = Hull {
                 points: Vec::new(),
                 radius: 0,
             };
-            // The shadow of a hull is the hull of the shadows.
+            // The shadow of a hull is the hull of the shadows. It has no end if a part of the hull throws none on the plane.
+            let (mut reached, mut missed) = (false, false);
             for point in &body.points {
                 let cone = Cone::new(light, (*point, widened(body.radius)));
-                let is_cut = cone.and_then(|cone| cone.cut(plane, parts.epsilon, &mut cut));
-                self.is_whole |= is_cut.is_none();
+                match cone.and_then(|cone| cone.cut(plane, parts.epsilon, &mut cut)) {
+                    Some(true) => reached = true,
+                    Some(false) => missed = true,
+                    None => (reached, missed) = (true, true),
+                }
             }
-            if !cut.points.is_empty() {
+            self.is_whole |= reached && missed;
+            if reached {
                 self.show(&cut, None, 0);
             }
         }

@@ -83,7 +83,7 @@ fn random_scene(random: &mut Random) -> Drawn {
         let place = [
             random.within(-3.0, 3.0),
             random.within(-3.0, 3.0),
-            random.within(3.0, 7.0),
+            random.within(0.5, 7.0),
         ];
         if random.below(3) == 0 {
             scene.add_sun(place, [0.5; 3], 0).unwrap();
@@ -250,6 +250,25 @@ fn areas_of_a_ball_over_a_mirror_are_some_twice_what_changes() {
     }
     counts.say("a ball over a mirror");
     assert!(10 * counts.drawn < 21 * counts.changed);
+}
+
+#[test]
+fn shadow_of_a_shape_that_is_higher_than_the_lamp_has_no_end() {
+    let mut scenery = Scenery::new();
+    scenery
+        .set_motion([-3.0, -3.0, 0.0], [3.0, 3.0, 5.0])
+        .unwrap();
+    let chalk = scenery.add_material(Material::new([0.9; 3])).unwrap();
+    let post = scenery
+        .add_cylinder([0.0, 0.0, 1.5], UP, 0.2, 2.5, chalk)
+        .unwrap();
+    scenery.add_plane([0.0; 3], UP, chalk).unwrap();
+    scenery.add_light([2.0, 0.0, 1.5], [1.0; 3]).unwrap();
+    let camera = Camera::new([0.0, -8.0, 3.0], [0.0, 0.0, 1.0], UP, 50).unwrap();
+    let scene = scenery.build().unwrap();
+    let areas = scene.frame(&camera).areas_of(post, SIZE).unwrap();
+    let whole = Rectangle::new(Point::zero(), SIZE);
+    assert_eq!(areas.iter().collect::<Vec<_>>(), [whole]);
 }
 
 #[test]

@@ -58,21 +58,32 @@ impl Cone {
         })
     }
 
-    /// Adds to a hull what the cone cuts out of a plane. Returns `None` if that has no end. Surfaces are lit `epsilon` above
-    /// themselves.
+    /// Tests whether the ball lies beyond a plane, as seen from the light. Then no shadow falls on it.
+    pub(super) fn is_beyond(&self, plane: &PreparedPlane) -> bool {
+        let (side, height) = (self.side(plane), plane.height(self.center) >> 30);
+        side == 0 || side * height < -i64::from(widened(self.radius))
+    }
+
+    /// Returns the side of a plane on which the light is: 1 or -1; 0 if it lies in the plane.
+    fn side(&self, plane: &PreparedPlane) -> i64 {
+        let rate = i64::from(self.axis.dot(plane.normal).to_bits());
+        self.light
+            .map_or(-rate, |light| plane.height(light) >> 30)
+            .signum()
+    }
+
+    /// Adds to a hull what the cone cuts out of a plane. Returns `None` if that has no end, and `Some(false)` if no ray of the
+    /// cone comes near to the plane. Surfaces are lit `epsilon` above themselves.
     pub(super) fn cut(
         &self,
         plane: &PreparedPlane,
         epsilon: Length,
         hull: &mut Hull,
-    ) -> Option<()> {
+    ) -> Option<bool> {
         let height = |point: Point| plane.height(point) >> 30;
         let rate = i64::from(self.axis.dot(plane.normal).to_bits());
         // The light's side of the plane counts as above it.
-        let above = self.light.map_or(-rate, height).signum();
-        if above == 0 || above * height(self.center) < -i64::from(widened(self.radius)) {
-            return Some(());
-        }
+        let above = self.side(plane);
         let (mut slope, mut is_parting) = (0, true);
         let cut = self.corners.map(|corner| {
             let low = above * height(corner);
@@ -89,16 +100,19 @@ impl Cone {
             [end(x, way.x), end(y, way.y), end(z, way.z)]
         });
         if is_parting {
-            return Some(());
+            return Some(false);
         }
         let is_near = cut.iter().flatten().all(|it| it.abs() < FAR);
         if slope >= SLOPE || !is_near {
             return None;
         }
-        let margin = narrowed((i64::from(epsilon.to_bits()) * (slope + 2) + 64).min(FAR / 2));
+        // A corner is known to a few steps.
+        let lift = i64::from(epsilon.to_bits()) + 4;
+        let margin = narrowed((lift * (slope + 2) + 64).min(FAR / 2));
         hull.radius = hull.radius.max(margin);
         let points = cut.map(|[x, y, z]| Point::new(narrowed(x), narrowed(y), narrowed(z)));
-        hull.points.extend_from_slice(&points).ok()
+        hull.points.extend_from_slice(&points).ok()?;
+        Some(true)
     }
 
     /// Tests whether the shadow may reach a ball.
