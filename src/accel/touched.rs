@@ -11,7 +11,7 @@ use heapless::Vec;
 use super::World;
 use super::screen_axis::{Columns, widened};
 use crate::light::PreparedLight;
-use crate::number::{narrowed, square_root};
+use crate::number::Length;
 use crate::ray::ScreenAxis;
 use crate::scene::access::{Parts, ShapeId};
 use crate::shape::plane::PreparedPlane;
@@ -73,9 +73,6 @@ impl Hull {
     }
 }
 
-/// Largest coordinate of a point that is looked at, in steps.
-const FAR: i64 = 1 << 29;
-
 /// Most reflections in planes that are followed one by one.
 const MOST_BOUNCES: u32 = 6;
 
@@ -85,7 +82,7 @@ pub(crate) struct Touched<'a, W, F> {
     axes: &'a [ScreenAxis; 2],
     /// How often planes mirror.
     bounces: u32,
-    /// Is given the first and the last column and row of each part.
+    /// Called with the columns and the rows of each part.
     found: F,
     /// Whether the whole picture may depend on the shape.
     is_whole: bool,
@@ -98,7 +95,8 @@ impl<'a, W: World, F: FnMut([Columns; 2])> Touched<'a, W, F> {
         world: &'a W,
         axes: &'a [ScreenAxis; 2],
         shape: ShapeId,
-        (bounces, has_shadows, found): (u32, bool, F),
+        (bounces, has_shadows): (u32, bool),
+        found: F,
     ) -> bool {
         let mut touched = Self {
             world,
@@ -128,15 +126,15 @@ impl<'a, W: World, F: FnMut([Columns; 2])> Touched<'a, W, F> {
         !touched.is_whole
     }
 
-    /// Takes a bounded shape as a whole.
+    /// Adds the pixels that show a bounded shape.
     fn show_shape(&mut self, shape: ShapeId) {
         if let Some(hull) = Hull::around(&self.world.parts(), shape) {
             self.show(&hull, None, 0);
         }
     }
 
-    /// Takes the pixels that show a hull, and those that show it in mirroring planes. It is mirrored by `mirror`, after so
-    /// many bounces.
+    /// Adds the pixels that show a hull, and those that show it in mirroring planes. It is an image itself after some `bounces`,
+    /// the last of them in the plane `mirror`.
     fn show(&mut self, hull: &Hull, mirror: Option<usize>, bounces: u32) {
         let origin = self.axes[0].origin;
         let radius = widened(hull.radius);
@@ -167,30 +165,18 @@ impl<'a, W: World, F: FnMut([Columns; 2])> Touched<'a, W, F> {
     fn mirrored(&self, hull: &Hull, plane: &PreparedPlane) -> Option<Hull> {
         let mut image = hull.clone();
         for point in &mut image.points {
-            let height = plane.height(*point) >> 30;
-            if height.abs() >= FAR {
-                return None;
-            }
-            let Vector { x, y, z } = point
-                .to_vector()
-                .without(plane.normal, 2 * narrowed(height));
-            if [x, y, z]
-                .iter()
-                .any(|it| i64::from(it.unsigned_abs()) >= FAR)
-            {
-                return None;
-            }
-            *point = Point::new(x, y, z);
+            *point = plane.mirrored(*point, Length::from_bits(0))?;
         }
         image.radius += 2 * self.world.parts().epsilon.to_bits();
         Some(image)
     }
 
-    /// Takes what the shadow of a shape in one light reaches.
+    /// Adds the pixels that show what the shadow of a shape in one light reaches.
     fn shade(&mut self, light: &PreparedLight, shape: ShapeId) {
         let parts = self.world.parts();
         let body = Hull::around(&parts, shape);
-        let cone = ball_of(&parts, shape).and_then(|ball| Cone::new(light, ball));
+        let ball = parts.ball(shape.index());
+        let cone = ball.and_then(|(ball, _)| Cone::new(light, ball));
         let (Some(body), Some(cone)) = (body, cone) else {
             self.is_whole = true;
             return;
@@ -203,7 +189,7 @@ impl<'a, W: World, F: FnMut([Columns; 2])> Touched<'a, W, F> {
             // The shadow of a hull is the hull of the shadows. It has no end if a part of the hull throws none on the plane.
             let (mut reached, mut missed) = (false, false);
             for point in &body.points {
-                let cone = Cone::new(light, (*point, widened(body.radius)));
+                let cone = Cone::new(light, (*point, body.radius));
                 match cone.and_then(|cone| cone.cut(plane, parts.epsilon, &mut cut)) {
                     Some(true) => reached = true,
                     Some(false) => missed = true,
@@ -216,16 +202,11 @@ impl<'a, W: World, F: FnMut([Columns; 2])> Touched<'a, W, F> {
             }
         }
         for other in (0..parts.bounded()).map(ShapeId::at) {
-            let is_reached = ball_of(&parts, other).is_some_and(|ball| cone.reaches(ball));
+            let ball = parts.ball(other.index());
+            let is_reached = ball.is_some_and(|(ball, _)| cone.reaches(ball));
             if other != shape && is_reached {
                 self.show_shape(other);
             }
         }
     }
-}
-
-/// Returns the centre and the radius of a ball around a bounded shape.
-fn ball_of(parts: &Parts<'_>, shape: ShapeId) -> Option<(Point, i32)> {
-    let (middle, half, radius) = parts.outline(shape)?;
-    Some((middle, widened(radius + square_root(half.square()))))
 }

@@ -140,7 +140,8 @@ impl<'a, S: Drawable, Q: Quality, K: Shading> FrameBuilder<'a, S, Q, K> {
             world,
             &axes,
             shape,
-            (bounces, K::SHADOWS, found),
+            (bounces, K::SHADOWS),
+            found,
         ))
     }
 

@@ -56,7 +56,7 @@ macro_rules! room {
 
 /// Declares a constant scene: a type without fields, whose scene the compiler checks and prepares.
 ///
-/// Each line is a method of [`SceneBuilder`](crate::SceneBuilder) with its arguments, in any order:
+/// Each line is a method of [`SceneBuilder`](crate::SceneBuilder) with its arguments. The lines may stand in any order:
 ///
 /// | line | most | arguments |
 /// |---|--:|---|

@@ -1,6 +1,6 @@
 //! Floor 5: the rays from a light to a ball and beyond it, and what they reach.
 
-use super::{FAR, Hull};
+use super::Hull;
 use crate::accel::screen_axis::widened;
 use crate::light::PreparedLight;
 use crate::number::{Length, narrowed, square_root, unsigned_wide, wide};
@@ -8,12 +8,15 @@ use crate::ray::ScaledPoint;
 use crate::shape::plane::PreparedPlane;
 use crate::vector::{Direction, Point, Vector};
 
-/// Largest way of a ray for each step that it nears a plane. Rays that are closer to parallel throw endless shadows.
+/// Steps that a ray goes at most for each step that it comes nearer to a plane. Shadows along flatter rays have no end.
 const SLOPE: i64 = 64;
+
+/// Largest coordinate of a point of a shadow, in steps. A longer shadow counts as one without an end.
+const FAR: i64 = 1 << 29;
 
 /// The rays from a light to a ball, and beyond it.
 pub(super) struct Cone {
-    /// The light, or `None` if it is a sun.
+    /// Place of the lamp; `None` if the light is a sun.
     light: Option<Point>,
     center: Point,
     radius: i32,
@@ -32,7 +35,10 @@ const SLANT: i64 = 27_147;
 impl Cone {
     /// Creates the cone of a light around a ball. `None` if the light is a lamp that is far away, or in the ball.
     pub(super) fn new(light: &PreparedLight, (center, radius): (Point, i32)) -> Option<Self> {
-        let lamp = light.sun().is_none().then_some(light.place);
+        let (lamp, radius) = (
+            light.sun().is_none().then_some(light.place),
+            widened(radius),
+        );
         let (axis, distance, spread) = match light.sun() {
             Some(towards) => (towards.reversed(), 0, radius),
             None => tangents(light.place, (center, radius))?,
@@ -61,7 +67,7 @@ impl Cone {
     /// Tests whether the ball lies beyond a plane, as seen from the light. Then no shadow falls on it.
     pub(super) fn is_beyond(&self, plane: &PreparedPlane) -> bool {
         let (side, height) = (self.side(plane), plane.height(self.center) >> 30);
-        side == 0 || side * height < -i64::from(widened(self.radius))
+        side == 0 || side * height < -i64::from(self.radius)
     }
 
     /// Returns the side of a plane on which the light is: 1 or -1; 0 if it lies in the plane.
@@ -84,12 +90,13 @@ impl Cone {
         let rate = i64::from(self.axis.dot(plane.normal).to_bits());
         // The light's side of the plane counts as above it.
         let above = self.side(plane);
+        let lamp = self.light.map(|light| (light, above * height(light)));
         let (mut slope, mut is_parting) = (0, true);
         let cut = self.corners.map(|corner| {
             let low = above * height(corner);
             // The way to the plane is `low` / `whole` of the way that is added to the corner.
-            let (way, whole) = match self.light {
-                Some(light) => (light.to(corner), above * height(light) - low),
+            let (way, whole) = match lamp {
+                Some((light, high)) => (light.to(corner), high - low),
                 None => (self.axis.nearest(1 << 24), rate.abs() >> 6),
             };
             let length = i64::from(square_root(way.square()));
@@ -120,7 +127,7 @@ impl Cone {
         let way = self.center.to(center);
         let along = way.dot(self.axis);
         let radius = widened(radius);
-        if i64::from(along) + i64::from(radius) < -i64::from(widened(self.radius)) {
+        if i64::from(along) + i64::from(radius) < -i64::from(self.radius) {
             return false;
         }
         let aside = i64::from(square_root(way.without(self.axis, along).square()));

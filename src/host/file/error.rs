@@ -268,8 +268,8 @@ macro_rules! refused {
             ];
             let list = names.iter().find(|(part, _)| *part == error.part());
             let Some(((_, list), index)) = list.zip(error.index()) else {
-                let part = if error.part() == "sky" { "sky: " } else { "" };
-                return part.to_owned() + error.kind().message();
+                let is_whole = error.part() == "scene";
+                return if is_whole { error.kind().to_string() } else { error.to_string() };
             };
             let room = FileRoom::COUNTS;
             let most = match error.kind() {
