@@ -233,7 +233,7 @@ mod shape;
 mod trace;
 mod vector;
 
-pub use accel::{MovingScene, Scene};
+pub use accel::{MovingScene, Scene, any_scene::AnyScene};
 pub use camera::Camera;
 pub use error::Error;
 pub use error_kind::ErrorKind;
@@ -285,7 +285,7 @@ pub mod description {
 /// Items that the macros of the crate name. They are not part of the interface.
 #[doc(hidden)]
 pub mod __private {
-    pub use crate::accel::drawable::{Drawable, Everything};
+    pub use crate::accel::any_scene::Everything;
     pub use crate::accel::{Apart, StaticScene};
     pub use crate::scene::{Capacity, Counts, Room, SceneLines, described};
     pub use core::clone::Clone;

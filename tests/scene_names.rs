@@ -40,7 +40,7 @@ macro_rules! scenes_named {
 
 scenes_named! {
     scene_has_a_name_of_the_library:
-    Camera Error ErrorKind FrameBuilder Handle Material MaterialId MovingScene Number Position
+    AnyScene Camera Error ErrorKind FrameBuilder Handle Material MaterialId MovingScene Number Position
     PreparedFrame Report Rows RuntimeScene Scene SceneBuilder Unit
     budget description display host needs quality room scene scenes shading
     Budgeted CameraDescription Choice Corners Cylinder Description Disc Light Limited Need Needs NeedsLimit
@@ -49,7 +49,7 @@ scenes_named! {
 
 scenes_named! {
     scene_has_a_name_that_the_macros_use:
-    Apart BUILDER COUNTS Capacity Clone Copy Counts Debug Drawable Everything FnOnce INSTANCE
+    Apart BUILDER COUNTS Capacity Clone Copy Counts Debug Everything FnOnce INSTANCE
     LargestRoom NAMES PARTS R Room SCENE SceneLines StaticScene T
     build camera concat counts described f moves_as name named new of_fields other parameter parts
     read stringify with_counts

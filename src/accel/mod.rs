@@ -8,7 +8,7 @@ mod active_list;
 mod active_lists;
 mod beside;
 mod cap;
-pub(crate) mod drawable;
+pub(crate) mod any_scene;
 mod far_stretch;
 mod fingerprint;
 pub(crate) mod hierarchy;

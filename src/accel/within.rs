@@ -2,7 +2,7 @@
 
 use core::marker::PhantomData;
 
-use super::drawable::Drawable;
+use super::any_scene::AnyScene;
 use super::{Tables, World};
 use crate::error::Error;
 use crate::scene::access::{SceneAccess, if_needed};
@@ -42,7 +42,7 @@ pub struct Limited<'a, S, L> {
     limit: PhantomData<fn() -> L>,
 }
 
-impl<'a, S: Drawable, L: NeedsLimit> Limited<'a, S, L> {
+impl<'a, S: AnyScene, L: NeedsLimit> Limited<'a, S, L> {
     /// Whether no scene of this type needs more than the limit: then none is looked at.
     const ALWAYS_FITS: bool = S::World::<'a>::NEEDS.within(&L::NEEDS).is_ok();
 

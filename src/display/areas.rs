@@ -6,7 +6,7 @@ use heapless::Vec;
 
 use super::common;
 use crate::accel::BoundedShape;
-use crate::accel::drawable::Drawable;
+use crate::accel::any_scene::AnyScene;
 use crate::accel::screen_axis::Columns;
 use crate::error::Error;
 use crate::number::unsigned;
@@ -60,7 +60,7 @@ impl Areas {
     }
 }
 
-impl<S: Drawable, Q: Quality, K: Shading> FrameBuilder<'_, S, Q, K> {
+impl<S: AnyScene, Q: Quality, K: Shading> FrameBuilder<'_, S, Q, K> {
     /// Returns the parts of a picture of `size` that depend on a bounded shape where it is now: the pixels that show it, its
     /// shadows, or either of them in mirrors. Round mirrors, and flat ones that are bounded, count as a whole.
     ///

@@ -1,11 +1,11 @@
 //! Floor 8: the bound of the error that ended paths cause in a picture, computed from its report.
 
-use crate::accel::drawable::Drawable;
+use crate::accel::any_scene::AnyScene;
 use crate::number::Unit;
 use crate::render::{Report, Rows, light_cut_off};
 use crate::scene::access::SceneAccess;
 
-impl<S: Drawable, Q, K> Rows<'_, S, Q, K> {
+impl<S: AnyScene, Q, K> Rows<'_, S, Q, K> {
     /// Returns the largest error that the reflections left out cause in a traced pixel, as a share of
     /// white, 0 to 1.
     ///

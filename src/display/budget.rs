@@ -7,7 +7,7 @@ use embedded_graphics::pixelcolor::Rgb888;
 use embedded_graphics::primitives::Rectangle;
 
 use super::Enlarged;
-use crate::accel::drawable::Drawable;
+use crate::accel::any_scene::AnyScene;
 use crate::number::{Unit, signed};
 use crate::qualities::{Exact, Fast, Quality};
 use crate::render::{FrameBuilder, Report};
@@ -166,7 +166,7 @@ struct Drawn {
     rows: u32,
 }
 
-impl<S: Drawable, Q: Quality, K: Shading> FrameBuilder<'_, S, Q, K> {
+impl<S: AnyScene, Q: Quality, K: Shading> FrameBuilder<'_, S, Q, K> {
     /// Draws the frame over the whole target with the best settings of a front that fit a budget of
     /// instructions. With [`u64::MAX`] the best settings of all are used.
     ///

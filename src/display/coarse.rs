@@ -9,7 +9,7 @@ use embedded_graphics::geometry::{Point, Size};
 use embedded_graphics::pixelcolor::Rgb888;
 use embedded_graphics::primitives::Rectangle;
 
-use crate::accel::drawable::Drawable;
+use crate::accel::any_scene::AnyScene;
 use crate::number::signed;
 use crate::qualities::Quality;
 use crate::render::{FrameBuilder, Report};
@@ -37,7 +37,7 @@ pub fn coarse_first(height: u32) -> impl Iterator<Item = Range<u32>> + Clone {
     coarse.chain(between.map(|y| y..y.saturating_add(1)))
 }
 
-impl<S: Drawable, Q: Quality, K: Shading> FrameBuilder<'_, S, Q, K> {
+impl<S: AnyScene, Q: Quality, K: Shading> FrameBuilder<'_, S, Q, K> {
     /// Draws the frame over the whole target as [`draw`](Self::draw) does, but coarse at first: every
     /// fourth row, four rows high, and then the rows between. Returns a report on the picture.
     ///

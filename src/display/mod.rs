@@ -22,7 +22,7 @@ use embedded_graphics::pixelcolor::{PixelColor, Rgb888};
 use embedded_graphics::primitives::Rectangle;
 use embedded_graphics::transform::Transform;
 
-use crate::accel::drawable::Drawable;
+use crate::accel::any_scene::AnyScene;
 use crate::color::Sum;
 use crate::number::unsigned;
 use crate::qualities::Quality;
@@ -33,7 +33,7 @@ use crate::shade::Shading;
 /// columns.
 const WIDEST: usize = 10;
 
-impl<S: Drawable, Q: Quality, K: Shading> FrameBuilder<'_, S, Q, K> {
+impl<S: AnyScene, Q: Quality, K: Shading> FrameBuilder<'_, S, Q, K> {
     /// Prepares the frame for a picture of `size` pixels. Each side is clamped to 1 to 65535, or 65534 with smooth edges.
     #[inline(always)]
     pub fn prepare(&self, size: Size) -> PreparedFrame<S, Q, K> {
@@ -60,7 +60,7 @@ impl<S: Drawable, Q: Quality, K: Shading> FrameBuilder<'_, S, Q, K> {
     }
 }
 
-impl<S: Drawable, Q, K> PreparedFrame<S, Q, K> {
+impl<S: AnyScene, Q, K> PreparedFrame<S, Q, K> {
     /// Returns the size of the picture in pixels; each side is 1 to 65535.
     pub fn size(&self) -> Size {
         let [width, height] = self.sides();
@@ -68,7 +68,7 @@ impl<S: Drawable, Q, K> PreparedFrame<S, Q, K> {
     }
 }
 
-impl<S: Drawable, Q: Quality, K: Shading> Rows<'_, S, Q, K> {
+impl<S: AnyScene, Q: Quality, K: Shading> Rows<'_, S, Q, K> {
     /// Returns the size of the picture in pixels; each side is 1 to 65535.
     pub fn size(&self) -> Size {
         let [width, height] = self.sides();

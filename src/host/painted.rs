@@ -8,7 +8,7 @@ use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
 use embedded_graphics::prelude::Size;
 
 use super::reference::Picture;
-use crate::accel::drawable::Drawable;
+use crate::accel::any_scene::AnyScene;
 use crate::qualities::Quality;
 use crate::render::{Rows, Seam};
 use crate::shade::Shading;
@@ -25,7 +25,7 @@ use crate::shade::Shading;
 /// let picture = painted(&frame.on(&Empty).unwrap());
 /// assert_eq!(picture.pixels.len(), 2);
 /// ```
-pub fn painted<S: Drawable, Q: Quality, K: Shading>(rows: &Rows<'_, S, Q, K>) -> Picture {
+pub fn painted<S: AnyScene, Q: Quality, K: Shading>(rows: &Rows<'_, S, Q, K>) -> Picture {
     let Size { width, height } = rows.size();
     let mut row = vec![Rgb888::BLACK; width as usize];
     let mut seam = Seam::<32>::new(); // for 1024 columns

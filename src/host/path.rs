@@ -3,7 +3,7 @@
 
 use alloc::vec::Vec;
 
-use crate::accel::drawable::Drawable;
+use crate::accel::any_scene::AnyScene;
 use crate::color::{Color, Sum};
 use crate::number::{Brightness, Number, Unit, power_of_two};
 use crate::qualities::Exact;
@@ -96,7 +96,7 @@ pub struct Step {
 /// assert_eq!(path.rays, [[0.0, 0.0, -1.0]]);
 /// # Ok::<(), reflet::Error>(())
 /// ```
-pub fn path_of<S: Drawable, K: Shading>(
+pub fn path_of<S: AnyScene, K: Shading>(
     rows: &Rows<'_, S, Exact, K>,
     (x, y): (u32, u32),
 ) -> Option<Path> {
@@ -120,13 +120,13 @@ pub fn path_of<S: Drawable, K: Shading>(
 /// assert_eq!(Some(&paths[3]), path_of(&rows, (3, 6)).as_ref());
 /// # Ok::<(), reflet::Error>(())
 /// ```
-pub fn paths_of_row<S: Drawable, K: Shading>(rows: &Rows<'_, S, Exact, K>, y: u32) -> Vec<Path> {
+pub fn paths_of_row<S: AnyScene, K: Shading>(rows: &Rows<'_, S, Exact, K>, y: u32) -> Vec<Path> {
     let [width, height] = rows.sides();
     if y < height { paths(rows, y, 0, width) } else { Vec::new() }
 }
 
 /// Returns the paths of the columns from `first` to the one before `end` of a row.
-fn paths<S: Drawable, K: Shading>(
+fn paths<S: AnyScene, K: Shading>(
     rows: &Rows<'_, S, Exact, K>,
     y: u32,
     first: u32,
@@ -139,7 +139,7 @@ fn paths<S: Drawable, K: Shading>(
 }
 
 /// Returns the path of every pixel in a scene without shapes and without a sky.
-fn empty<S: Drawable, K: Shading>(rows: &Rows<'_, S, Exact, K>) -> Path {
+fn empty<S: AnyScene, K: Shading>(rows: &Rows<'_, S, Exact, K>) -> Path {
     let sum = rows.only_sum().unwrap_or(Sum::DARK);
     let walked = Walked {
         steps: Vec::new(),

@@ -3,7 +3,7 @@
 use core::marker::PhantomData;
 
 use super::PreparedFrame;
-use crate::accel::drawable::{Drawable, Everything};
+use crate::accel::any_scene::{AnyScene, Everything};
 use crate::accel::screen_axis::Columns;
 use crate::accel::{ActiveRoom, Apart, BoundedShape, Limited, MovingScene, Scene, Tabled, Touched};
 use crate::camera::Camera;
@@ -44,7 +44,7 @@ pub struct FrameBuilder<'a, S, Q = Fast, K = BlinnPhong> {
 /// Default number of reflections of a path.
 const REFLECTIONS: u8 = 4;
 
-impl<'a, S: Drawable> FrameBuilder<'a, S> {
+impl<'a, S: AnyScene> FrameBuilder<'a, S> {
     /// Creates a frame of a scene with 4 reflections, quality [`Fast`] and shading [`BlinnPhong`].
     ///
     /// The function `frame` of a scene does the same in fewer words:
@@ -67,7 +67,7 @@ impl<'a, S: Drawable> FrameBuilder<'a, S> {
     }
 }
 
-impl<'a, S: Drawable, Q: Quality, K: Shading> FrameBuilder<'a, S, Q, K> {
+impl<'a, S: AnyScene, Q: Quality, K: Shading> FrameBuilder<'a, S, Q, K> {
     /// Sets the largest number of reflections of a path, 0 to 255. Defaults to 4.
     ///
     /// [`MostReflections`](crate::needs::MostReflections) sets a limit when the program is compiled.
@@ -169,5 +169,5 @@ macro_rules! framed {
 framed!([R: ActiveRoom] Scene<R>);
 framed!(['a, R: ActiveRoom] Tabled<'a, R>);
 framed!([T: Apart] MovingScene<T>);
-framed!(['a, S: Drawable, L: NeedsLimit] Limited<'a, S, L>);
-framed!(['a, S: Drawable] Everything<'a, S>);
+framed!(['a, S: AnyScene, L: NeedsLimit] Limited<'a, S, L>);
+framed!(['a, S: AnyScene] Everything<'a, S>);

@@ -5,7 +5,7 @@ use core::marker::PhantomData;
 use super::interpolate::fill;
 use super::smooth::Line;
 use super::{Colors, Report};
-use crate::accel::drawable::Drawable;
+use crate::accel::any_scene::AnyScene;
 use crate::accel::light_visibility::LightVisibility;
 use crate::accel::row_list::row_list;
 use crate::accel::screen_bounds::ScreenBounds;
@@ -57,7 +57,7 @@ use crate::trace::{Traced, Tracer};
 /// # Ok::<(), Error>(())
 /// ```
 #[derive(Debug)]
-pub struct PreparedFrame<S: Drawable, Q = Fast, K = BlinnPhong> {
+pub struct PreparedFrame<S: AnyScene, Q = Fast, K = BlinnPhong> {
     /// Generator of the camera rays; `None` if the scene has no shape.
     generator: Option<RayGenerator>,
     lights: LightVisibility,
@@ -74,13 +74,13 @@ pub struct PreparedFrame<S: Drawable, Q = Fast, K = BlinnPhong> {
 /// Marker for a frame's types of scene, quality and shading. As a function type it is always `Send` and `Sync`.
 type Kinds<S, Q, K> = fn() -> (S, Q, K);
 
-impl<S: Drawable, Q, K> Clone for PreparedFrame<S, Q, K> {
+impl<S: AnyScene, Q, K> Clone for PreparedFrame<S, Q, K> {
     fn clone(&self) -> Self {
         Self { ..*self }
     }
 }
 
-impl<S: Drawable, Q: Quality, K: Shading> PreparedFrame<S, Q, K> {
+impl<S: AnyScene, Q: Quality, K: Shading> PreparedFrame<S, Q, K> {
     /// Prepares a frame for a picture of these columns and rows, each clamped to 1 to 65535.
     #[inline(always)]
     pub(super) fn new(scene: &S, camera: &Camera, sides: [u32; 2], reflections: u8) -> Self {
@@ -144,7 +144,7 @@ impl<S: Drawable, Q: Quality, K: Shading> PreparedFrame<S, Q, K> {
     }
 }
 
-impl<S: Drawable, Q, K> PreparedFrame<S, Q, K> {
+impl<S: AnyScene, Q, K> PreparedFrame<S, Q, K> {
     /// Returns the number of columns and of rows of the picture, each 1 to 65535.
     #[inline(always)]
     pub(crate) fn sides(&self) -> [u32; 2] {
@@ -177,20 +177,20 @@ impl<S: Drawable, Q, K> PreparedFrame<S, Q, K> {
 /// # Ok::<(), Error>(())
 /// ```
 #[derive(Debug)]
-pub struct Rows<'a, S: Drawable, Q = Fast, K = BlinnPhong> {
+pub struct Rows<'a, S: AnyScene, Q = Fast, K = BlinnPhong> {
     world: S::World<'a>,
     frame: &'a PreparedFrame<S, Q, K>,
 }
 
-impl<S: Drawable, Q, K> Clone for Rows<'_, S, Q, K> {
+impl<S: AnyScene, Q, K> Clone for Rows<'_, S, Q, K> {
     fn clone(&self) -> Self {
         *self
     }
 }
 
-impl<S: Drawable, Q, K> Copy for Rows<'_, S, Q, K> {}
+impl<S: AnyScene, Q, K> Copy for Rows<'_, S, Q, K> {}
 
-impl<'a, S: Drawable, Q, K> Rows<'a, S, Q, K> {
+impl<'a, S: AnyScene, Q, K> Rows<'a, S, Q, K> {
     /// Returns the number of columns and of rows of the picture, each 1 to 65535.
     #[inline(always)]
     pub(crate) fn sides(&self) -> [u32; 2] {
@@ -203,7 +203,7 @@ impl<'a, S: Drawable, Q, K> Rows<'a, S, Q, K> {
     }
 }
 
-impl<'a, S: Drawable, Q: Quality, K: Shading> Rows<'a, S, Q, K> {
+impl<'a, S: AnyScene, Q: Quality, K: Shading> Rows<'a, S, Q, K> {
     /// Fills `pixels` with the colours of row `y` from column `x` on, each converted by `shown`. Pixels beyond the picture stay.
     #[inline(always)]
     pub(crate) fn fill_row<C: Copy>(

@@ -22,7 +22,7 @@ mod walker;
 use super::interpolate::Colors;
 use super::{Report, Rows};
 use crate::accel::World;
-use crate::accel::drawable::Drawable;
+use crate::accel::any_scene::AnyScene;
 use crate::accel::thin::shows_thin;
 use crate::camera::RayGenerator;
 use crate::color::{Levels, Sum};
@@ -130,7 +130,7 @@ impl<W: World, K: sealed::Shading, Q: Quality> SmoothColors<'_, '_, W, K, Q> {
     }
 }
 
-impl<'a, S: Drawable, Q: Quality, K: Shading> Rows<'a, S, Q, K> {
+impl<'a, S: AnyScene, Q: Quality, K: Shading> Rows<'a, S, Q, K> {
     /// Fills pixels inside of the picture with smooth edges. Without a seam the row traces the line above it.
     #[inline(never)]
     pub(super) fn fill_smooth<C: Copy>(

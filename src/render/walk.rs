@@ -4,12 +4,12 @@ use alloc::vec::Vec;
 use core::ops::Range;
 
 use super::Rows;
-use crate::accel::drawable::Drawable;
+use crate::accel::any_scene::AnyScene;
 use crate::qualities::Quality;
 use crate::shade::Shading;
 use crate::trace::{Pixel, Walked};
 
-impl<S: Drawable, Q: Quality, K: Shading> Rows<'_, S, Q, K> {
+impl<S: AnyScene, Q: Quality, K: Shading> Rows<'_, S, Q, K> {
     /// Follows the paths of these columns of row `y`. Returns `None` if the scene has no shape and no sky: there are
     /// no paths then.
     ///

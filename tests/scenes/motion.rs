@@ -2,7 +2,7 @@
 //! places, errors change nothing, and a prepared frame refuses a scene that has changed.
 
 use embedded_graphics::prelude::Size;
-use reflet::__private::Drawable;
+use reflet::AnyScene;
 use reflet::description::{self, Description};
 use reflet::host::file::FileScene;
 use reflet::host::reference::{self, Picture};
@@ -188,7 +188,7 @@ impl Handles {
 }
 
 /// A scene in which parts move.
-trait Moving: Drawable {
+trait Moving: AnyScene {
     fn take(&mut self, handles: &Handles, moved: Move) -> Result<(), Error>;
 }
 
@@ -217,7 +217,7 @@ moving!(FileScene, FileScene::set_light);
 moving!(MovingScene<Tower>, |_: &mut _, _, _| unreachable!());
 
 /// Draws a scene in the qualities `Fast` and `Exact`.
-fn pictures<S: Drawable>(scene: &S, camera: &Camera) -> [Picture; 2] {
+fn pictures<S: AnyScene>(scene: &S, camera: &Camera) -> [Picture; 2] {
     let size = Size::new(48, 40);
     [
         drawn::<Fast, BlinnPhong>(scene, camera, size),
@@ -294,7 +294,7 @@ impl Random {
 
 /// Fails unless a changed scene is drawn as the scene that is built with the parts in their new places.
 #[track_caller]
-fn assert_drawn_as_built<S: Drawable>(scene: &S, places: &Places, camera: &Camera, step: u32) {
+fn assert_drawn_as_built<S: AnyScene>(scene: &S, places: &Places, camera: &Camera, step: u32) {
     let expected = pictures(&places.built().scene, camera);
     let found = pictures(scene, camera);
     // Tables of lights choose which pixels `Fast` interpolates, but all are exact to its tolerance.
@@ -419,7 +419,7 @@ fn handle_of_a_constant_scene_counts_parts_of_its_kind() {
 }
 
 #[track_caller]
-fn assert_refused<S: Drawable>(frame: &PreparedFrame<S>, scene: &S) {
+fn assert_refused<S: AnyScene>(frame: &PreparedFrame<S>, scene: &S) {
     let error = frame.on(scene).err().expect("the scene is refused");
     let found = (error.part(), error.index(), error.kind());
     assert_eq!(found, ("scene", None, ErrorKind::Changed));

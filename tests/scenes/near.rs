@@ -1,7 +1,7 @@
 //! Scenes that tests fill, their pictures, and how near these are to double precision. Knows no scene.
 
 use embedded_graphics::prelude::Size;
-use reflet::__private::Drawable;
+use reflet::AnyScene;
 use reflet::host::compare::{Difference, compare};
 use reflet::host::file::FileRuntimeScene;
 use reflet::host::painted;
@@ -18,7 +18,7 @@ pub const UP: [f64; 3] = [0.0, 0.0, 1.0];
 
 /// Draws a scene with four reflections.
 pub fn drawn<Q: Quality, K: Shading>(
-    scene: &impl Drawable,
+    scene: &impl AnyScene,
     camera: &Camera,
     size: Size,
 ) -> Picture {

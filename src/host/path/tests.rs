@@ -15,7 +15,7 @@ use crate::{Camera, FrameBuilder, Material, RuntimeScene};
 
 const SIZE: Size = Size::new(48, 36);
 
-fn all_paths_are_drawn<S: Drawable, K: Shading>(scene: &S, camera: &Camera, reflections: u8) {
+fn all_paths_are_drawn<S: AnyScene, K: Shading>(scene: &S, camera: &Camera, reflections: u8) {
     let frame = FrameBuilder::new(scene, camera).reflections(reflections);
     let frame = frame.quality::<Exact>().shading::<K>().prepare(SIZE);
     let rows = frame.on(scene).unwrap();

@@ -8,7 +8,8 @@ use std::cell::Cell;
 use embedded_graphics::prelude::Size;
 use proptest::prelude::*;
 use proptest::test_runner::{RngSeed, TestRunner};
-use reflet::__private::{Drawable, Everything};
+use reflet::AnyScene;
+use reflet::__private::Everything;
 use reflet::host::compare::compare;
 use reflet::host::file::{FileScene, built};
 use reflet::host::painted;
@@ -56,14 +57,14 @@ type View<'a> = (&'a Camera, Size, u8);
 fn assert_alike<Q: Quality, K: Shading>(
     name: &str,
     view: View,
-    fixed: &impl Drawable,
-    filled: &impl Drawable,
+    fixed: &impl AnyScene,
+    filled: &impl AnyScene,
 ) {
     let is_same = picture::<Q, K>(fixed, view) == picture::<Q, K>(filled, view);
     assert!(is_same, "{name}");
 }
 
-fn picture<Q: Quality, K: Shading>(scene: &impl Drawable, view: View) -> Picture {
+fn picture<Q: Quality, K: Shading>(scene: &impl AnyScene, view: View) -> Picture {
     let (camera, size, reflections) = view;
     let frame = FrameBuilder::new(scene, camera).reflections(reflections);
     let frame = frame.quality::<Q>().shading::<K>().prepare(size);
@@ -138,7 +139,7 @@ fn bounded_frame_gives_the_same_picture_or_names_what_is_too_much() {
 }
 
 /// Returns the first need that a scene has and a bare floor has not, `None` if there is none.
-fn excess(scene: &impl Drawable) -> Option<&'static str> {
+fn excess(scene: &impl AnyScene) -> Option<&'static str> {
     let error = Limited::<_, Bare>::new(scene).err()?;
     assert_eq!((error.kind(), error.index()), (ErrorKind::Limit, None));
     Some(error.part())

@@ -2,7 +2,7 @@
 
 use embedded_graphics::pixelcolor::Rgb888;
 use embedded_graphics::prelude::RgbColor;
-use reflet::__private::Drawable;
+use reflet::AnyScene;
 use reflet::quality::{Exact, Fast, Quality, Small};
 use reflet::shading::{BlinnPhong, Normals, Phong, Shading, Unshadowed};
 use reflet::{FrameBuilder, Report, Unit};
@@ -31,7 +31,7 @@ impl Wild {
         })
     }
 
-    fn paint<S: Drawable, Q: Quality, K: Shading>(
+    fn paint<S: AnyScene, Q: Quality, K: Shading>(
         &self,
         scene: &S,
         frame: FrameBuilder<'_, S, Q, K>,

@@ -9,7 +9,7 @@ use cortex_m_rt::entry;
 use embedded_graphics::pixelcolor::{Gray4, Rgb565};
 use embedded_graphics::prelude::*;
 use embedded_graphics::primitives::Rectangle;
-use reflet::__private::Drawable;
+use reflet::AnyScene;
 use reflet::budget::{FrontPoint, ParetoFront, QualityLevel};
 use reflet::display::{Dithered, Enlarged};
 use reflet::needs::{Limited, MostReflections, Needs, NeedsLimit};
@@ -69,7 +69,7 @@ impl NeedsLimit for Matte {
 
 /// Draws a frame in every way. All numbers are hidden from the compiler, as if they came from
 /// outside.
-fn draw<Q: Quality, K: Shading, S: Drawable>(scene: &S, frame: FrameBuilder<'_, S>) {
+fn draw<Q: Quality, K: Shading, S: AnyScene>(scene: &S, frame: FrameBuilder<'_, S>) {
     let frame = frame.reflections(black_box(4));
     let frame = frame.quality::<Q>().shading::<K>();
     seen(frame.draw(&mut Display));
