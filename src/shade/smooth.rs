@@ -62,7 +62,7 @@ impl Turns {
         let half = Some(Unit::from_bits(half)).filter(|half| *half < Unit::ONE)?;
         let moved = unit_product(moved, moved).to_bits();
         // A quarter of the sum's squared length, up to 1.
-        let least = (square.to_bits() - (moved - (moved >> 2))).min(1 << 28);
+        let least = (square.to_bits() - (moved - (moved >> 2))).clamp(0, 1 << 28);
         let circle = unit_product(self.circle, Unit::from_bits(4 * least));
         let square = unit_product(half, half);
         let bits = |it: Unit| unsigned(it.to_bits());

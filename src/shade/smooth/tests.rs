@@ -96,6 +96,7 @@ fn highlight_has_no_bound_where_everything_turns_by_sixty_degrees() {
     assert_eq!(bend([one; 3], Unit::ONE), None);
     assert_eq!(bend([one, one, 0], Unit::ONE), None);
     assert_eq!(bend([0, one / 4, one / 4], Unit::ZERO), None);
+    assert_eq!(bend([0, one, one / 8 * 7], Unit::ZERO), None);
     // A quarter of the square of the sum.
     let bend = bend([one / 4; 3], Unit::ONE).unwrap();
     assert!((bend - one / 256 * 9).abs() < 16, "{bend}");
