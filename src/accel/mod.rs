@@ -6,9 +6,9 @@
 
 mod active_list;
 mod active_lists;
+pub(crate) mod any_scene;
 mod beside;
 mod cap;
-pub(crate) mod any_scene;
 mod far_stretch;
 mod fingerprint;
 pub(crate) mod hierarchy;

@@ -90,7 +90,7 @@ pub enum Samples {
 /// Largest square of the change times s, in Q2.30, for which three pixels show how a highlight changes.
 const SMOOTH: u64 = 1 << 29;
 
-/// Largest square of the change times s, in Q34.30, for which five pixels show it.
+/// Largest square of the change and its bend times s, in Q34.30, for which five pixels show it.
 const BENT: u64 = 6 << 30;
 
 /// Smallest square of the distance from zero times s, in Q34.30, for which a highlight is dark: below e⁻⁸.
@@ -109,6 +109,9 @@ pub(super) fn samples([one, other]: [Vector; 2], bend: i32, shininess: Exponent)
     if nearest > 0 && (unsigned_wide(wide(nearest, nearest)) >> 26) * shininess >= DARK {
         return Samples::Three;
     }
+    // Off the line, the deviation goes a longer way, and not evenly.
+    let way = square_root(change.square()).saturating_add(bend);
+    let square = (unsigned_wide(wide(way, way)) >> 26) * shininess;
     if square <= BENT { Samples::Five } else { Samples::All }
 }
 
