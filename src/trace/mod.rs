@@ -8,6 +8,7 @@
 mod border;
 mod bounce;
 mod cells;
+mod follow;
 mod footprint;
 mod lights;
 mod origin;
@@ -21,15 +22,12 @@ mod walk;
 
 use core::marker::PhantomData;
 
-use bounce::Bounce;
 pub(crate) use bounce::Pixel;
 pub(crate) use cells::Cells;
 pub(crate) use footprint::Footprint;
-use footprint::SeenCells;
 use stops::STOPS;
 pub(crate) use stops::Stops;
 pub(crate) use stretch::Progress;
-use visibility::{Culled, Plain};
 #[cfg(feature = "files")]
 pub use walk::End;
 #[cfg(feature = "files")]
@@ -41,12 +39,10 @@ use crate::accel::screen_culling::ScreenCulling;
 use crate::accel::{Window, World};
 use crate::camera::RowDirections;
 use crate::color::Sum;
-use crate::number::{Unit, share};
+use crate::number::Unit;
 use crate::qualities::Quality;
-use crate::ray::{PathSignature, RowPlane, ScaledRay};
+use crate::ray::{PathSignature, RowPlane};
 use crate::scene::shape_set::ShapeSet;
-use crate::scene::{Mirrors, Surface};
-use crate::shade::Lit;
 use crate::shade::highlight::sealed::Shading;
 use crate::vector::{Direction, Vector};
 
@@ -161,124 +157,11 @@ impl<'a, W: World, K: Shading, Q: Quality> Tracer<'a, W, K, Q> {
         self.visibility.from.is_near()
     }
 
-    /// Follows one path from the camera in `direction`, and returns its colour and signature. Stores its
-    /// hits in `stops` if pixels are interpolated and `is_read`. The signature has no meaning otherwise.
-    #[inline(always)]
-    pub(crate) fn trace(
-        &mut self,
-        mut pixel: Pixel<'_>,
-        (direction, footprint): (Direction, Option<Footprint>),
-        (stops, is_read): (&mut Stops, bool),
-    ) -> Traced {
-        let world = self.world;
-        let mut ray = ScaledRay::new(self.visibility.from, direction);
-        let (mut traced, mut cells) = (Traced::NONE, SeenCells::new(footprint));
-        stops.clear();
-        let (mut throughput, mut bounce, mut is_bounded) = (Unit::ONE, Bounce::NONE, true);
-        // Hits are stored from this throughput on: those that can be seen; none if nobody reads them.
-        let least = is_read.then(|| world.parts().smallest_weight(Q::TOLERANCE));
-        let least = least.unwrap_or(Unit::from_bits(i32::MAX));
-        let is_seen = |throughput| Self::IS_INTERPOLATED && throughput >= least;
-        loop {
-            let Some(surface) = self.surface(&mut pixel, &ray, &bounce) else {
-                traced.add_missed::<W, K>(world, throughput, ray.direction());
-                if is_seen(throughput) {
-                    stops.add(None, ray.direction());
-                }
-                break;
-            };
-            cells.reach::<W>(&ray, &surface);
-            traced.signature.note(surface.shape.side(surface.is_inside));
-            let reflected = Self::reflected(world, &surface, throughput);
-            let mut lights = 0;
-            if reflected < throughput && Self::has_own(world, &surface) {
-                let lit = self.shade(&surface);
-                lights = lit.lights;
-                traced.signature.note(lights);
-                let own = cells.color::<W, Q>(world, (&surface, &lit), &mut traced.signature);
-                traced.sum.add(throughput - reflected, own);
-            }
-            if is_seen(throughput) {
-                stops.add(Some((&surface, lights)), surface.view);
-            }
-            throughput = reflected;
-            if throughput == Unit::ZERO || self.is_cut_off(throughput, bounce.count) {
-                break;
-            }
-            bounce.count += 1;
-            if !W::NEEDS.mirrored {
-                traced.add_missed::<W, K>(world, throughput, ray.direction());
-                break;
-            }
-            is_bounded &= !is_seen(throughput) || self.is_bounded_after(&surface, bounce.count);
-            surface.reflect(world, &mut ray);
-            cells.turn(world, &surface);
-            (bounce.mirror, bounce.skip) = (surface.shape, surface.skip(world));
-        }
-        self.rays += bounce.count + 1;
-        traced.signature = cells.marked(traced.signature.ended(is_bounded));
-        traced
-    }
-
     /// Turns to rays through row `y` that lie in another plane.
     pub(crate) fn turn(&mut self, y: u32, (plane, directions): (RowPlane, &RowDirections)) {
         let from = self.visibility.from;
         self.culling.turn(y, plane);
         self.list = row_list::<_, Q>(self.world, from, directions);
-    }
-
-    /// Tests whether the rays after a reflection have known bounds: only planes mirrored them, and not too
-    /// many. `count` is the number of the reflection.
-    #[inline(always)]
-    fn is_bounded_after(&self, surface: &Surface<'_>, count: u32) -> bool {
-        let parts = self.world.parts();
-        let is_plane = W::NEEDS.plane_mirrors && parts.plane_index(surface.shape).is_some();
-        is_plane && (count as usize) < STOPS
-    }
-
-    /// Tests whether a surface may show a colour of its own.
-    #[inline(always)]
-    fn has_own(world: &W, surface: &Surface<'_>) -> bool {
-        // A view of normals does not reflect: it shows the surface's own colour even of a mirror.
-        !K::REFLECTS
-            || W::NEEDS.mirrors != Mirrors::All
-                && (!W::HAS_BLANK || surface.material(world).has_own())
-    }
-
-    /// Returns the throughput of a path after a surface: `throughput` times the share that the surface
-    /// mirrors.
-    #[inline(always)]
-    fn reflected(world: &W, surface: &Surface<'_>, throughput: Unit) -> Unit {
-        if K::REFLECTS && W::NEEDS.mirrors != Mirrors::None {
-            share(throughput, surface.material(world).mirror)
-        } else {
-            Unit::ZERO
-        }
-    }
-
-    /// Tests whether a path ends with this throughput, after so many reflections. If so, updates
-    /// `cut_off`.
-    #[inline(always)]
-    fn is_cut_off(&mut self, throughput: Unit, reflections: u32) -> bool {
-        let is_cut_off = throughput < self.world.parts().smallest_weight(Q::SMALLEST_WEIGHT)
-            // Known at compile time, so that the code for reflections is not linked.
-            || W::NEEDS.reflections == 0
-            || reflections >= self.reflections;
-        if is_cut_off {
-            self.cut_off = self.cut_off.max(throughput);
-        }
-        is_cut_off
-    }
-
-    /// Returns the colour of a surface without reflections, and the lights that shine on it.
-    #[inline(always)]
-    fn shade(&self, surface: &Surface<'_>) -> Lit {
-        let world = self.world;
-        if Self::IS_PLAIN {
-            K::color::<W, Q, _>(world, surface, &Plain::<W, Q>::new(world))
-        } else {
-            K::color::<W, Q, _>(world, surface, &Culled::<W, Q>::new(world, self.visibility))
-        }
     }
 }
 
