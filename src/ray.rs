@@ -70,8 +70,8 @@ impl ScaledPoint {
     }
 
     /// Returns a point so far away in a direction that rays from all near points to it are parallel, within
-    /// rounding.
-    #[inline(always)]
+    /// rounding. Not inlined, or the compiler derives the direction's coordinates from what this needs.
+    #[inline(never)]
     pub(crate) const fn beyond(direction: Direction) -> Self {
         let Vector { x, y, z } = direction.raw();
         Self {

@@ -34,8 +34,8 @@ pub struct Surface<'a> {
     number: MaterialId,
 }
 
-/// Largest error of the cosine at a curved surface: 2⁻¹⁶.
-const RIM: Unit = Unit::from_bits(1 << 14);
+/// Largest error of the cosine at a curved surface: 2⁻¹⁶, in Q4.28.
+const RIM: i32 = 1 << 12;
 
 impl<'a> Surface<'a> {
     /// Returns the surface of a shape at point `at`, hit along `view`; `None` if there is no such
@@ -49,10 +49,11 @@ impl<'a> Surface<'a> {
     ) -> Option<Self> {
         let parts = world.parts();
         let (outward, number) = parts.outside(shape, at.point)?;
-        let climb = view.short_dot(outward);
+        // In Q4.28.
+        let climb = view.raw().quarter_dot(outward);
         // At the rim of a shape, rounding must not make the outside an inside.
         let (is_inside, epsilon) = match parts.bending_radius(shape) {
-            None => (climb > Unit::ZERO, parts.epsilon),
+            None => (climb > 0, parts.epsilon),
             Some(_) if climb > RIM => (true, parts.inner_epsilon),
             Some(_) => (false, parts.epsilon),
         };
@@ -62,7 +63,7 @@ impl<'a> Surface<'a> {
             normal,
             view,
             // The cosine is at most 1.0001 in magnitude.
-            facing: Unit::from_bits(absolute(climb.to_bits())),
+            facing: Unit::from_bits(absolute(climb) << 2),
             shape,
             is_inside,
             material: parts.material(number),

@@ -15,10 +15,10 @@ use crate::accel::screen_bounds::ScreenBounds;
 use crate::camera::Camera;
 use crate::material::Material;
 use crate::number::sweep::Sweep;
-use crate::ray::ScaledPoint;
-use crate::scene::RuntimeScene;
+use crate::ray::{ScaledPoint, ScaledRay};
 use crate::scene::access::{SceneAccess, ShapeId};
 use crate::scene::query::nearest_hit;
+use crate::scene::{RuntimeScene, Surface};
 use crate::shade::{BlinnPhong, Normals};
 use crate::vector::{Position, Vector};
 

@@ -4,6 +4,7 @@ use super::*;
 use crate::color::Color;
 use crate::scene::Room;
 use crate::shade::{Phong, Visibility};
+use crate::trace::visibility::{Culled, Plain};
 
 pub(super) type Scenery = RuntimeScene<Room<2, 2, 1, 4, 2>>;
 type Built = Scene<Room<2, 2, 1, 4, 2>>;
