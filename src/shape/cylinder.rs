@@ -243,11 +243,13 @@ impl Bounded for PreparedCylinder {
         ray: &LightRay,
         own: Own,
     ) -> bool {
-        own != Own::Outside
-            && from.nearest < ray.reach.to_bits()
-            && self
-                .intersect_from(&from.from, &ray.direction, ray.range())
-                .is_some()
+        if own == Own::Outside || from.nearest >= ray.reach.to_bits() {
+            return false;
+        }
+        // A copy, since the address of the ray's own direction would keep the ray in memory.
+        let direction = ray.direction;
+        let met = self.intersect_from(&from.from, &direction, ray.range());
+        met.is_some()
     }
 
     #[inline(always)]

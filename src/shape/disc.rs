@@ -217,7 +217,9 @@ impl Bounded for PreparedDisc {
         ray: &LightRay,
         own: Own,
     ) -> bool {
-        own == Own::No && self.met(from, &ray.direction, ray.range()).is_some()
+        // A copy, as for cylinders.
+        let direction = ray.direction;
+        own == Own::No && self.met(from, &direction, ray.range()).is_some()
     }
 
     #[inline(always)]

@@ -205,7 +205,9 @@ impl Bounded for PreparedTriangle {
         own: Own,
     ) -> bool {
         let is_tested = own == Own::No || self.is_smooth();
-        is_tested && self.met(from, &ray.direction, ray.range()).is_some()
+        // A copy, as for cylinders.
+        let direction = ray.direction;
+        is_tested && self.met(from, &direction, ray.range()).is_some()
     }
 
     #[inline(always)]
