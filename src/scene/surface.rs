@@ -29,6 +29,8 @@ pub struct Surface<'a> {
     pub(crate) shape: ShapeId,
     /// Whether the ray hit the surface from inside, or a plane against its normal.
     pub(crate) is_inside: bool,
+    /// The shape that rays from here need not test: see [`Surface::skip`].
+    left: ShapeId,
     material: &'a PreparedMaterial,
     /// Number of the material; only read in a scene with checkers.
     number: MaterialId,
@@ -52,10 +54,10 @@ impl<'a> Surface<'a> {
         // In Q4.28.
         let climb = view.raw().quarter_dot(outward);
         // At the rim of a shape, rounding must not make the outside an inside.
-        let (is_inside, epsilon) = match parts.bending_radius(shape) {
-            None => (climb > 0, parts.epsilon),
-            Some(_) if climb > RIM => (true, parts.inner_epsilon),
-            Some(_) => (false, parts.epsilon),
+        let (is_inside, left, epsilon) = match parts.bending_radius(shape) {
+            None => (climb > 0, shape, parts.epsilon),
+            Some(_) if climb > RIM => (true, ShapeId::NONE, parts.inner_epsilon),
+            Some(_) => (false, shape, parts.epsilon),
         };
         let normal = outward.reversed_if(is_inside);
         let surface = Self {
@@ -66,6 +68,7 @@ impl<'a> Surface<'a> {
             facing: Unit::from_bits(absolute(climb) << 2),
             shape,
             is_inside,
+            left,
             material: parts.material(number),
             number,
         };
@@ -86,6 +89,7 @@ impl<'a> Surface<'a> {
             facing: Unit::ONE,
             shape,
             is_inside,
+            left: shape,
             material: parts.material(plane.material),
             number: plane.material,
         }
@@ -141,10 +145,9 @@ impl<'a> Surface<'a> {
     /// [`ShapeId::NONE`] if a ray can hit the shape again, from inside of one that is not flat.
     #[inline(always)]
     pub(crate) fn skip<W: SceneAccess>(&self, world: &W) -> ShapeId {
-        let is_met_again = self.is_inside && world.parts().bending_radius(self.shape).is_some()
-            // A light may shine from behind on a surface with other normals than its own.
-            || W::NEEDS.triangles && world.parts().is_smooth(self.shape);
-        if is_met_again { ShapeId::NONE } else { self.shape }
+        // A light may shine from behind on a surface with other normals than its own.
+        let is_smooth = W::NEEDS.triangles && world.parts().is_smooth(self.shape);
+        if is_smooth { ShapeId::NONE } else { self.left }
     }
 
     /// Replaces a ray that hit the surface by the mirrored ray.
