@@ -191,6 +191,12 @@ impl<'a, K: Bordered, V: Storage<ActiveShape<'a, K>>> ActiveList<'a, K, V> {
         Some(())
     }
 
+    /// Tests whether no shape is active.
+    #[inline(always)]
+    pub(super) fn is_empty(&self) -> bool {
+        self.active.as_ref().is_empty()
+    }
+
     /// Intersects a ray with the active shapes of its column, and keeps the nearest hit in `nearest`.
     ///
     /// `first` is the number of the first shape of this kind.

@@ -14,6 +14,17 @@ use crate::scene::nearest::{Hit, Nearest, nearest_of};
 use crate::scene::{Capacity, Description, Room, used};
 use crate::vector::{Direction, Point};
 
+/// Which bounded shapes the rays through the present columns test.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Tested {
+    /// Those of the lists.
+    Listed,
+    /// None: the lists are empty.
+    None,
+    /// All: a list had no room.
+    All,
+}
+
 macro_rules! active_lists {
     (
         { $declaration:tt [$($header:tt)*] [$($arguments:tt)*] }
@@ -54,8 +65,7 @@ macro_rules! active_lists {
             /// The lists stay valid for windows whose first column is below this one.
             until: u32,
             $(pub(super) $list: ActiveList<'a, crate::shape::$prepared, R::$active_list<'a>>,)*
-            /// Whether the rays of all columns test every shape.
-            pub(super) is_full: bool,
+            pub(super) tested: Tested,
         }
 
         impl<'a, R: ActiveRoom> ActiveLists<'a, R> {
@@ -68,14 +78,15 @@ macro_rules! active_lists {
                     row,
                     until: if is_full { u32::MAX } else { 0 },
                     $($list: ActiveList::new::<USED>(),)*
-                    is_full,
+                    tested: if is_full { Tested::All } else { Tested::None },
                 }
             }
 
             /// Empties the lists and goes back to the row's first column, for rays from another eye.
             pub(super) fn restart(&mut self, (eye, row): (Point, RowPlane), is_full: bool) {
                 (self.eye, self.row) = (eye, row);
-                (self.is_full, self.until) = (is_full, if is_full { u32::MAX } else { 0 });
+                self.tested = if is_full { Tested::All } else { Tested::None };
+                self.until = if is_full { u32::MAX } else { 0 };
                 $(self.$list.restart();)*
             }
 
@@ -88,7 +99,7 @@ macro_rules! active_lists {
                         first = first.min(self.$list.first_column(window));
                     }
                 )*
-                (!self.is_full && first > window.last).then_some(first.min(self.until))
+                (self.tested != Tested::All && first > window.last).then_some(first.min(self.until))
             }
 
             /// Advances the lists of all kinds to the columns of a window.
@@ -101,22 +112,26 @@ macro_rules! active_lists {
                 columns: (u32, u32),
             ) {
                 let (parts, eye, row) = (world.parts(), self.eye, self.row);
-                let mut until = Some(u32::MAX);
+                let (mut until, mut is_empty) = (Some(u32::MAX), true);
                 $(
                     if W::NEEDS.$list {
                         let shapes = parts.$list;
                         let rects = used(rects.$list.as_ref(), shapes.len());
                         let own = self.$list.advance((shapes, rects), y, columns, (eye, &row));
                         until = earlier(until, own);
+                        is_empty &= self.$list.is_empty();
                     }
                 )*
                 match until {
-                    Some(until) => (self.is_full, self.until) = (false, until),
+                    Some(until) => {
+                        self.tested = if is_empty { Tested::None } else { Tested::Listed };
+                        self.until = until;
+                    }
                     None => {
                         // Rebuild the lists for the next columns: they must not depend on where a row
                         // began.
                         self.restart((eye, self.row), false);
-                        (self.is_full, self.until) = (true, columns.0 + 1);
+                        (self.tested, self.until) = (Tested::All, columns.0 + 1);
                     }
                 }
             }
@@ -180,10 +195,11 @@ impl<'a, R: ActiveRoom> ActiveLists<'a, R> {
         column: u32,
         (direction, start): (&Direction, Length),
     ) -> Hit {
-        if self.is_full {
-            return self.nearest_of_all(world, (direction, start));
+        match self.tested {
+            Tested::Listed => self.nearest_of_active(world, column, (direction, start)),
+            Tested::None => Hit::NONE,
+            Tested::All => self.nearest_of_all(world, (direction, start)),
         }
-        self.nearest_of_active(world, column, (direction, start))
     }
 
     /// Returns the nearest hit of a ray among all bounded shapes. Used when a list had no room.

@@ -4,7 +4,7 @@
 //! ends hit the same side of the same shape. Bound: docs/internals/edges.md proves the rules below.
 
 use super::active_list::{ActiveList, ActiveShape, Storage};
-use super::active_lists::{ActiveLists, ActiveRoom};
+use super::active_lists::{ActiveLists, ActiveRoom, Tested};
 use crate::number::{Length, root_of_square};
 use crate::ray::{ANY_COLUMN, Span};
 use crate::scene::access::{SceneAccess, ShapeId};
@@ -163,7 +163,7 @@ macro_rules! keep {
                 world: &W,
                 stretch: &Stretch<'_>,
             ) -> Result<(), Option<u32>> {
-                if self.is_full {
+                if self.tested == Tested::All {
                     return Err(None);
                 }
                 let lengths = world.parts().lengths();

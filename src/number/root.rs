@@ -75,10 +75,7 @@ pub const fn unit_shift(square: u64) -> (u32, u32) {
     // Half of them less one, in two instructions.
     let shift = (difference_modulo_2_32(zeros, 2) >> 1) & 31;
     let zeros = zeros & !1;
-    (
-        shift,
-        (leading << zeros) | ((rest >> 1) >> (31 - zeros)),
-    )
+    (shift, (leading << zeros) | ((rest >> 1) >> (31 - zeros)))
 }
 
 /// Returns what [`root_of_square`] returns. It is never inlined, which saves flash where a root is not taken for each
