@@ -89,7 +89,7 @@
 //! |---|---|
 //! | qualities, which say how exact a picture is: `Fast`, `Exact`, `Small`; smooth edges: `Smooth` | [`quality`] |
 //! | shading models: Phong, Blinn-Phong | [`shading`] |
-//! | dithering for displays with few levels, larger pixels | [`display`] |
+//! | dithering for displays with few levels, larger pixels; [`AnyScene`](display::AnyScene) | [`display`] |
 //! | frames with a budget of instructions or time | [`budget`] |
 //! | features of the library that a scene needs | [`needs`] |
 //! | numbers that a scene was written with | [`description`] |
@@ -233,7 +233,7 @@ mod shape;
 mod trace;
 mod vector;
 
-pub use accel::{MovingScene, Scene, any_scene::AnyScene};
+pub use accel::{MovingScene, Scene};
 pub use camera::Camera;
 pub use error::Error;
 pub use error_kind::ErrorKind;

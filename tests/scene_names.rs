@@ -40,7 +40,7 @@ macro_rules! scenes_named {
 
 scenes_named! {
     scene_has_a_name_of_the_library:
-    AnyScene Camera Error ErrorKind FrameBuilder Handle Material MaterialId MovingScene Number Position
+    Camera Error ErrorKind FrameBuilder Handle Material MaterialId MovingScene Number Position
     PreparedFrame Report Rows RuntimeScene Scene SceneBuilder Unit
     budget description display host needs quality room scene scenes shading
     Budgeted CameraDescription Choice Corners Cylinder Description Disc Light Limited Need Needs NeedsLimit

@@ -8,12 +8,15 @@ use crate::scene::NeedsLimit;
 /// that are built or move at run time, [limited](crate::needs::Limited) ones and those with
 /// [tables](crate::needs::Tabled). It cannot be implemented elsewhere.
 ///
-/// A function that is generic over it draws any scene. It makes the frame by [`FrameBuilder::new`](crate::FrameBuilder::new):
+/// A function that is generic over it draws any scene. It makes the frame by [`FrameBuilder::new`](crate::FrameBuilder::new).
+/// One that takes frames of any quality and shading is generic over [`Quality`](crate::quality::Quality) and
+/// [`Shading`](crate::shading::Shading), too.
 ///
 /// ```
 /// use embedded_graphics::mock_display::MockDisplay;
 /// use embedded_graphics::{pixelcolor::Rgb888, prelude::*};
-/// use reflet::{AnyScene, Camera, FrameBuilder, Material, MovingScene, scene};
+/// use reflet::display::AnyScene;
+/// use reflet::{Camera, FrameBuilder, Material, MovingScene, scene};
 ///
 /// scene! {
 ///     struct Ball {

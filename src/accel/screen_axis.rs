@@ -21,6 +21,14 @@ impl Columns {
         last: i32::MAX,
     };
 
+    /// Returns a single column.
+    pub(crate) const fn at(column: i32) -> Self {
+        Self {
+            first: column,
+            last: column,
+        }
+    }
+
     /// Returns the smallest range that holds both ranges.
     fn with(self, other: Self) -> Self {
         Self {

@@ -11,6 +11,7 @@ mod dither;
 mod enlarged;
 
 pub use crate::accel::BoundedShape;
+pub use crate::accel::any_scene::AnyScene;
 pub use areas::Areas;
 pub use coarse::coarse_first;
 pub use dither::{Ditherable, Dithered, Threshold, dither};
@@ -22,7 +23,6 @@ use embedded_graphics::pixelcolor::{PixelColor, Rgb888};
 use embedded_graphics::primitives::Rectangle;
 use embedded_graphics::transform::Transform;
 
-use crate::accel::any_scene::AnyScene;
 use crate::color::Sum;
 use crate::number::unsigned;
 use crate::qualities::Quality;

@@ -5,10 +5,12 @@ use core::marker::PhantomData;
 use super::PreparedFrame;
 use crate::accel::any_scene::{AnyScene, Everything};
 use crate::accel::screen_axis::Columns;
+use crate::accel::thin::is_shown_thin;
 use crate::accel::{ActiveRoom, Apart, BoundedShape, Limited, MovingScene, Scene, Tabled, Touched};
 use crate::camera::Camera;
 use crate::error::Error;
 use crate::error_kind::ErrorKind;
+use crate::number::signed;
 use crate::qualities::{Fast, Quality};
 use crate::scene::access::SceneAccess;
 use crate::scene::{Handle, NeedsLimit};
@@ -123,7 +125,7 @@ impl<'a, S: AnyScene, Q: Quality, K: Shading> FrameBuilder<'a, S, Q, K> {
         &self,
         shape: Handle<T>,
         [width, height]: [u32; 2],
-        found: impl FnMut([Columns; 2]),
+        mut found: impl FnMut([Columns; 2]),
     ) -> Result<bool, Error> {
         let world = &self.scene.world();
         let (parts, index) = (world.parts(), shape.index());
@@ -134,6 +136,16 @@ impl<'a, S: AnyScene, Q: Quality, K: Shading> FrameBuilder<'a, S, Q, K> {
             return Ok(false);
         }
         let generator = self.camera.generator(width, height);
+        if Q::SMOOTHNESS > 1 {
+            // A thin shape divides whole rows, even if it lies beside the picture.
+            for y in 0..height {
+                let plane = generator.row_plane_below((y, 0), from.point);
+                if is_shown_thin(&parts, shape, &plane, width) {
+                    let row = Columns::at(signed(y));
+                    found([Columns::ALL, row]);
+                }
+            }
+        }
         let axes = self.camera.screen_axes(&generator, from.point);
         let bounces = if K::REFLECTS { self.reflections.into() } else { 0 };
         Ok(Touched::find(

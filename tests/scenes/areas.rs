@@ -253,6 +253,38 @@ fn areas_of_a_ball_over_a_mirror_are_some_twice_what_changes() {
     assert!(10 * counts.drawn < 21 * counts.changed);
 }
 
+/// A thin shape has whole rows divided, although it lies beside the picture.
+#[test]
+fn smooth_rows_beside_a_thin_shape_belong_to_its_areas() {
+    let mut scenery = Scenery::new();
+    scenery.set_motion([-9.0; 3], [9.0; 3]).unwrap();
+    let chalk = scenery.add_material(Material::new([0.9; 3])).unwrap();
+    scenery.add_sphere([0.0; 3], 1.0, chalk).unwrap();
+    let dot = scenery.add_sphere([-8.0, 0.0, 0.0], 0.02, chalk).unwrap();
+    scenery.add_light([3.0, -4.0, 9.0], [0.7; 3]).unwrap();
+    let camera = Camera::new([0.0, -5.0, 0.0], [0.0; 3], UP, 50).unwrap();
+    let mut scene = scenery.build().unwrap();
+    let size = Size::new(64, 64);
+    let before = drawn::<Smooth<2, Exact>, BlinnPhong>(&scene, &camera, size);
+    let areas = |scene: &FileScene| {
+        let frame = scene.frame(&camera).quality::<Smooth<2, Exact>>();
+        frame.areas_of(dot, size).unwrap()
+    };
+    let old = areas(&scene);
+    scene.set_sphere(dot, [-8.0, 0.0, 0.7], 0.02).unwrap();
+    let after = drawn::<Smooth<2, Exact>, BlinnPhong>(&scene, &camera, size);
+    let is_in = covered(&old.with(&areas(&scene)), size);
+    let changes = before.pixels.iter().zip(&after.pixels);
+    let changes: Vec<bool> = changes.map(|(one, other)| one != other).collect();
+    assert!(changes.contains(&true));
+    assert!(
+        changes
+            .iter()
+            .zip(&is_in)
+            .all(|(change, is_in)| !change || *is_in)
+    );
+}
+
 #[test]
 fn shadow_of_a_shape_that_is_higher_than_the_lamp_has_no_end() {
     let mut scenery = Scenery::new();

@@ -2,8 +2,8 @@
 //! places, errors change nothing, and a prepared frame refuses a scene that has changed.
 
 use embedded_graphics::prelude::Size;
-use reflet::AnyScene;
 use reflet::description::{self, Description};
+use reflet::display::AnyScene;
 use reflet::host::file::FileScene;
 use reflet::host::reference::{self, Picture};
 use reflet::quality::{Exact, Fast};

@@ -1,7 +1,7 @@
 //! Scenes that tests fill, their pictures, and how near these are to double precision. Knows no scene.
 
 use embedded_graphics::prelude::Size;
-use reflet::AnyScene;
+use reflet::display::AnyScene;
 use reflet::host::compare::{Difference, compare};
 use reflet::host::file::FileRuntimeScene;
 use reflet::host::painted;

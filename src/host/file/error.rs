@@ -9,13 +9,11 @@ use std::io;
 #[cfg(feature = "host")]
 use std::path::{Path, PathBuf};
 
-use super::FileRoom;
 use super::words::words;
 use crate::error::Error;
 use crate::error_kind::ErrorKind;
 use crate::host::line::one_line;
 use crate::number::power_of_two;
-use crate::scene::Capacity;
 
 /// The error of a scene file that cannot be used: the file, the scene in it, and the [`Problem`].
 ///
@@ -257,8 +255,8 @@ macro_rules! refused {
     })*) => {
         /// Returns the message for a part that the core refuses, such as `spheres[3]: ...`.
         ///
-        /// If there are too many parts, it states the limit of a scene file. The core's own message does
-        /// not fit: it advises a larger type, and a file has no type.
+        /// If there are too many parts, it states how many fit. The core's own message does not fit: it advises a larger
+        /// type, and a file has no type.
         fn refused(error: Error) -> String {
             let names = [
                 $((stringify!($kind), stringify!($list)),)*
@@ -271,15 +269,13 @@ macro_rules! refused {
                 let is_whole = error.part() == "scene";
                 return if is_whole { error.kind().to_string() } else { error.to_string() };
             };
-            let room = FileRoom::COUNTS;
-            let most = match error.kind() {
-                $(ErrorKind::$too_many => room.$list,)*
-                // Counted from 0, the first part that does not fit has as its number how many do.
-                ErrorKind::TooManyLights => index,
-                ErrorKind::TooManyMaterials => room.materials,
-                fault => return format!("{list}[{index}]: {fault}"),
-            };
-            format!("{list}[{index}]: a file holds {most} {list} at most")
+            // Counted from 0, the first part that does not fit has as its number how many do.
+            match error.kind() {
+                $(ErrorKind::$too_many |)* ErrorKind::TooManyLights | ErrorKind::TooManyMaterials => {
+                    format!("{list}[{index}]: there is room for {index} {list} at most")
+                }
+                fault => format!("{list}[{index}]: {fault}"),
+            }
         }
     };
 }

@@ -138,9 +138,7 @@ fn filled(
     camera: &Camera,
 ) -> Result<(Box<FileRuntimeScene>, camera::Camera), Problem> {
     let mut target = Box::new(FileRuntimeScene::new());
-    fill::scene(&mut target, scene).map_err(Problem::Scene)?;
-    let camera = fill::camera(camera).map_err(Problem::Camera)?;
-    target.set_camera(camera);
+    let camera = fill::filled(&mut target, (scene, camera))?;
     Ok((target, camera))
 }
 
@@ -267,6 +265,7 @@ impl SceneFile {
     }
 
     /// Returns the scene and the camera for the fixed-point core. The scene is filled but not built yet.
+    /// [`SceneFile::fill`] fills one with less room.
     ///
     /// # Errors
     ///

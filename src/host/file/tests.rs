@@ -278,7 +278,7 @@ fn file_may_hold_as_many_parts_as_it_says() {
         }
         scene[list].as_array_mut().unwrap().push(last);
         let expected =
-            format!("scene still life: {list}[{bound}]: a file holds {bound} {list} at most");
+            format!("scene still life: {list}[{bound}]: there is room for {bound} {list} at most");
         assert_eq!(complaint(&scene.to_string()), expected);
     }
 }

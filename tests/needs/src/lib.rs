@@ -9,7 +9,7 @@ use embedded_graphics::prelude::Size;
 use proptest::prelude::*;
 use proptest::test_runner::{RngSeed, TestRunner};
 use reflet::__private::Everything;
-use reflet::AnyScene;
+use reflet::display::AnyScene;
 use reflet::host::compare::compare;
 use reflet::host::file::{FileScene, built};
 use reflet::host::painted;

@@ -2,7 +2,7 @@
 
 use embedded_graphics::pixelcolor::Rgb888;
 use embedded_graphics::prelude::RgbColor;
-use reflet::AnyScene;
+use reflet::display::AnyScene;
 use reflet::quality::{Exact, Fast, Quality, Small};
 use reflet::shading::{BlinnPhong, Normals, Phong, Shading, Unshadowed};
 use reflet::{FrameBuilder, Report, Unit};

@@ -9,7 +9,7 @@ use cortex_m_rt::entry;
 use embedded_graphics::pixelcolor::{Gray4, Rgb565};
 use embedded_graphics::prelude::*;
 use embedded_graphics::primitives::Rectangle;
-use reflet::AnyScene;
+use reflet::display::AnyScene;
 use reflet::budget::{FrontPoint, ParetoFront, QualityLevel};
 use reflet::display::{Dithered, Enlarged};
 use reflet::needs::{Limited, MostReflections, Needs, NeedsLimit};

@@ -47,7 +47,7 @@ fn mistakes_in_suns_name_the_sun_and_the_fix() {
         ),
         (
             json!([good, good, good]),
-            "suns[2]: a file holds 2 suns at most",
+            "suns[2]: there is room for 2 suns at most",
         ),
     ] {
         let file = SceneFile::parse(&with(&suns), None).unwrap();
