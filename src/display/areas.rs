@@ -68,10 +68,10 @@ impl<S: AnyScene, Q: Quality, K: Shading> FrameBuilder<'_, S, Q, K> {
     /// stay, as long as the camera and all other parts do. With [`Exact`](crate::quality::Exact) and
     /// [`Small`](crate::quality::Small) they are the same to the bit. With [`Fast`](crate::quality::Fast), pixels beside
     /// the areas may be interpolated in another way, which may change them by a level or two of 255. With smooth edges,
-    /// areas are as wide as the picture.
+    /// areas are as wide as the picture, and hold each row that a thin shape is level with.
     ///
     /// Some cases count as the whole picture: a camera or a lamp far outside of the scene, a lamp within the shape, a
-    /// shadow that has no end, and mirroring planes that show each other more than six times.
+    /// shadow that has no end or falls on the camera's place, and mirroring planes that show each other more than six times.
     ///
     /// # Errors
     /// [`ErrorKind::UnknownHandle`](crate::ErrorKind::UnknownHandle) if the scene has no such shape.

@@ -45,6 +45,8 @@ impl<S: AnyScene, Q: Quality, K: Shading> FrameBuilder<'_, S, Q, K> {
     /// the last state of the target is that of [`draw`](Self::draw). 1.75 times as many pixels are sent.
     /// `row` holds the pixels of one row of the target. If it is shorter, only as many columns are drawn.
     ///
+    /// With smooth edges it takes nearly twice as long as `draw`, since no row comes right after the one above it.
+    ///
     /// ```
     /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Rgb888, prelude::*};
     /// use reflet::scenes::{BuiltIn, Floor};

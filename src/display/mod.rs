@@ -86,8 +86,8 @@ impl<S: AnyScene, Q: Quality, K: Shading> Rows<'_, S, Q, K> {
     /// Does what [`Rows::row`] does, for rows that are asked for from top to bottom.
     ///
     /// With smooth edges ([`Smooth`](crate::quality::Smooth)) a row takes from `seam` what the row above it has left there,
-    /// and leaves something to the row below: it takes about half of the time. Colours are the same. Other qualities do
-    /// not use the seam.
+    /// and leaves something to the row below: it takes about half of the time. Colours are the same if the seam was used
+    /// for this frame only: make a new one for each frame, and for each core. Other qualities do not use the seam.
     #[inline(always)]
     pub fn next_row<C: PixelColor + From<Rgb888>, const N: usize>(
         &self,
