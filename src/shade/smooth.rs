@@ -109,9 +109,6 @@ pub(super) fn samples([one, other]: [Vector; 2], bend: i32, shininess: Exponent)
     if nearest > 0 && (unsigned_wide(wide(nearest, nearest)) >> 26) * shininess >= DARK {
         return Samples::Three;
     }
-    // Off the line, the deviation goes a longer way, and not evenly.
-    let way = square_root(change.square()).saturating_add(bend);
-    let square = (unsigned_wide(wide(way, way)) >> 26) * shininess;
     if square <= BENT { Samples::Five } else { Samples::All }
 }
 

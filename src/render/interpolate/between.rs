@@ -27,7 +27,9 @@ impl<W: World, K: Shading, Q: Quality, M: Marks> Colors<'_, '_, W, K, Q, M> {
                     Some(level) if W::NEEDS.checkers => {
                         self.tiles([first, last], ends, (level, samples), sink);
                     }
-                    _ => self.interpolate([first, last], ends, (Bend::ZERO, samples), sink),
+                    _ => {
+                        self.interpolate([first, last], ends, (Bend::ZERO, samples), sink);
+                    }
                 }
                 break;
             }
@@ -109,18 +111,19 @@ impl<W: World, K: Shading, Q: Quality, M: Marks> Colors<'_, '_, W, K, Q, M> {
     }
 
     /// Computes the colours between two traced pixels of one path, or of paths that differ in what cannot be seen. The
-    /// second difference of the three is expected to be this. `samples` says how many have to be traced at least.
+    /// second difference of the three is expected to be this. `samples` says how many have to be traced at least. Returns
+    /// whether one parabola gives them all.
     fn interpolate(
         &mut self,
         [first, last]: [u32; 2],
         ends: [&End; 2],
         (expected, samples): (Bend, Samples),
         sink: &mut impl Sink,
-    ) {
+    ) -> bool {
         let ([start, end], length) = (ends, last - first);
         let is_smooth = is_alike(ends) && samples == Samples::Three;
         if length < 2 {
-            return;
+            return true;
         }
         if length == 2 {
             // Traced, if the expected second difference is more than four times the tolerance.
@@ -130,25 +133,36 @@ impl<W: World, K: Shading, Q: Quality, M: Marks> Colors<'_, '_, W, K, Q, M> {
             } else {
                 middle = self.trace(first + 1, UNREAD).traced
             }
-            return self.set(first + 1, middle, sink);
+            self.set(first + 1, middle, sink);
+            return true;
         }
         let half = length / 2;
         let middle = self.trace(first + half, UNREAD);
         let sums = [start, &middle, end].map(|it| it.traced.sum);
         let curve = Parabola::through(sums, half, length);
-        let bend = curve.bend(half);
+        let off = curve.bend(half).less(expected);
         // Between its three traced pixels, a parabola over so many columns may be further off.
         let most = if length > 32 { 2 } else { 4 };
-        if is_smooth && bend.less(expected).is_within(most * Self::TOLERANCE) {
+        if is_smooth && off.is_within(most * Self::TOLERANCE) {
             self.marks.fill(first, length, start.traced.signature);
-            return sink.set_curve(first, length, curve);
+            sink.set_curve(first, length, curve);
+            return true;
         }
-        let expected = |length: u32| (curve.bend((length / 2).max(1)), Samples::Three);
-        let part = expected(half);
-        self.interpolate([first, first + half], [start, &middle], part, sink);
+        // Where four columns bend so far off, none of the columns between is as expected.
+        let is_rough = length <= 4 && !off.is_within(8 * Self::TOLERANCE);
+        let least = if is_rough { Samples::Five } else { Samples::Three };
+        let bends = [half, length - half].map(|length| curve.bend((length / 2).max(1)));
+        let (before, after) = ([first, first + half], [first + half, last]);
+        let (one, other) = ([start, &middle], [&middle, end]);
+        let is_even = self.interpolate(before, one, (bends[0], least), sink);
         self.set(first + half, middle.traced, sink);
-        let rest = expected(length - half);
-        self.interpolate([first + half, last], [&middle, end], rest, sink);
+        // A half may bend as expected by chance. So it is divided once more if the other one does not.
+        let samples = if is_even { least } else { Samples::Five };
+        let is_other = self.interpolate(after, other, (bends[1], samples), sink);
+        if is_even && !is_other {
+            self.interpolate(before, one, (bends[0], Samples::Five), sink);
+        }
+        false
     }
 }
 

@@ -46,7 +46,7 @@ impl<W: World, K: Shading, Q: Quality, M: Marks> Colors<'_, '_, W, K, Q, M> {
     }
 
     /// Sets the colours between two traced pixels from those that the two have in both kinds of cells. The second
-    /// differences of the three are expected to be these.
+    /// differences of the three are expected to be these. Returns whether one parabola for each kind gives them all.
     fn tile(
         &mut self,
         tiles: &Tiles,
@@ -54,14 +54,15 @@ impl<W: World, K: Shading, Q: Quality, M: Marks> Colors<'_, '_, W, K, Q, M> {
         [start, end]: [[Sum; 2]; 2],
         (expected, samples): ([Bend; 2], Samples),
         sink: &mut impl Sink,
-    ) {
+    ) -> bool {
         let (length, half) = (last - first, (last - first) / 2);
         if length < 2 {
-            return;
+            return true;
         }
         let traced = self.trace(first + half, SCRATCH);
         let Some((_, middle)) = self.both(&traced, tiles.level) else {
-            return self.trace_each(first + 1, last, sink);
+            self.trace_each(first + 1, last, sink);
+            return true;
         };
         let curve =
             |kind: usize| Parabola::through([start[kind], middle[kind], end[kind]], half, length);
@@ -73,23 +74,23 @@ impl<W: World, K: Shading, Q: Quality, M: Marks> Colors<'_, '_, W, K, Q, M> {
             bend.less(expected[kind]).is_within(most)
         };
         if samples == Samples::Three && is_close(0) && is_close(1) {
-            return self.show(tiles, [first, length], curves, sink);
+            self.show(tiles, [first, length], curves, sink);
+            return true;
         }
-        let expected = |length: u32| {
-            let bends = curves.map(|it| it.bend((length / 2).max(1)));
-            (bends, Samples::Three)
-        };
+        let bends =
+            [half, length - half].map(|length| curves.map(|it| it.bend((length / 2).max(1))));
         let column = first + half;
-        self.tile(
-            tiles,
-            [first, column],
-            [start, middle],
-            expected(half),
-            sink,
-        );
+        let (before, after) = ([first, column], [column, last]);
+        let (one, other) = ([start, middle], [middle, end]);
+        let is_even = self.tile(tiles, before, one, (bends[0], Samples::Three), sink);
         self.set(column, traced.traced, sink);
-        let rest = expected(length - half);
-        self.tile(tiles, [column, last], [middle, end], rest, sink);
+        // As in `interpolate`.
+        let samples = if is_even { Samples::Three } else { Samples::Five };
+        let is_other = self.tile(tiles, after, other, (bends[1], samples), sink);
+        if is_even && !is_other {
+            self.tile(tiles, before, one, (bends[0], Samples::Five), sink);
+        }
+        false
     }
 
     /// Sets the colours of `length` columns from the first on. Each is on the parabola of its cell.
