@@ -114,11 +114,11 @@
 //!
 //! | profile | castle flash | castle instr/pixel | corner1 flash | corner1 instr/pixel |
 //! |---|--:|--:|--:|--:|
-//! | lto = true, codegen-units = 1 | 51908 | 1345 | 15496 | 222 |
-//! | Cargo's default release | 68776 | 1420 | 20444 | 257 |
-//! | lto = true, codegen-units = 1, opt-level = "s" | 49696 | 2362 | 16964 | 290 |
-//! | lto = true, codegen-units = 1, opt-level = "z" | 47472 | 3764 | 16856 | 475 |
-//! | Cargo's default dev (debug) | 604388 | 40137 | 558104 | 6322 |
+//! | lto = true, codegen-units = 1 | 53092 | 1311 | 15632 | 220 |
+//! | Cargo's default release | 68496 | 1369 | 20796 | 254 |
+//! | lto = true, codegen-units = 1, opt-level = "s" | 51192 | 2320 | 17072 | 288 |
+//! | lto = true, codegen-units = 1, opt-level = "z" | 49288 | 3814 | 17020 | 472 |
+//! | Cargo's default dev (debug) | 648252 | 40360 | 598300 | 6338 |
 //!
 //! Every profile draws the same picture. If flash is scarce, the quality [`Small`](quality::Small) saves
 //! more than an `opt-level`.

@@ -177,15 +177,7 @@ fn nothing_else_changes<Q: Quality>(seed: u64, moves: usize, most: u8) -> Counts
         shape.take(&mut scene, &mut random, at);
         let after = drawn::<Q, BlinnPhong>(&scene, &camera, SIZE);
         let areas = areas.with(&shape.areas::<Q>(&scene, &camera));
-        let mut is_in = vec![false; before.pixels.len()];
-        for area in areas.iter() {
-            for at in area
-                .rows()
-                .flat_map(|y| area.columns().map(move |x| (x, y)))
-            {
-                is_in[at.1 as usize * SIZE.width as usize + at.0 as usize] = true;
-            }
-        }
+        let is_in = covered(&areas, SIZE);
         for (place, (one, other)) in before.pixels.iter().zip(&after.pixels).enumerate() {
             let change = one
                 .iter()
@@ -243,10 +235,8 @@ fn areas_of_a_ball_over_a_mirror_are_some_twice_what_changes() {
         let areas = old.with(&scene.frame(&camera).areas_of(ball, DISPLAY).unwrap());
         if step > 0 {
             counts.changed += apart(&before, &after, 0);
-            counts.drawn += covered(&areas, DISPLAY)
-                .into_iter()
-                .filter(|it| *it)
-                .count();
+            let is_in = covered(&areas, DISPLAY);
+            counts.drawn += is_in.iter().filter(|it| **it).count();
         }
     }
     counts.say("a ball over a mirror");
