@@ -25,6 +25,11 @@ struct Followed {
 }
 
 impl<'a, W: World, K: Shading, Q: Quality> Tracer<'a, W, K, Q> {
+    /// Whether the camera's ray has code of its own. It takes more flash, and on the Arm cores without a long multiply (see
+    /// `number::product`) more instructions.
+    const IS_APART: bool =
+        !Q::IS_SMALL && cfg!(not(all(target_arch = "arm", not(target_has_atomic = "32"))));
+
     /// Follows one path from the camera in `direction`, and returns its colour and signature. Stores its
     /// hits in `stops` if pixels are interpolated and `is_read`. The signature has no meaning otherwise.
     #[inline(always)]
@@ -47,8 +52,8 @@ impl<'a, W: World, K: Shading, Q: Quality> Tracer<'a, W, K, Q> {
         };
         // Not part of the path: its address is taken, and the path stays in registers.
         let mut ray = ScaledRay::new(self.visibility.from, direction);
-        // The camera's ray has code of its own, which knows that nothing was met before.
-        if Q::IS_SMALL || self.meet((&mut pixel, &mut ray), &mut path, (stops, least)) {
+        // Code of its own knows that nothing was met before.
+        if !Self::IS_APART || self.meet((&mut pixel, &mut ray), &mut path, (stops, least)) {
             while self.meet((&mut pixel, &mut ray), &mut path, (stops, least)) {}
         }
         self.rays += path.bounce.count + 1;
