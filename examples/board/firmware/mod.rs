@@ -10,7 +10,9 @@ mod ssd0323;
 use core::convert::Infallible;
 
 use embedded_graphics::{
+    draw_target::DrawTarget,
     geometry::{OriginDimensions, Point, Size},
+    pixelcolor::{Gray4, GrayColor},
     primitives::Rectangle,
 };
 use reflet::scenes::{BuiltIn, Visitor};
@@ -22,6 +24,9 @@ use self::{
     lm3s::{Board, Output, Spi},
     ssd0323::Ssd0323,
 };
+
+/// Columns of the display.
+const WIDTH: usize = 128;
 
 /// Error of the display; neither SPI nor the pin can fail here.
 pub type Error = ssd0323::Error<Infallible, Infallible>;
@@ -75,10 +80,10 @@ impl Viewer {
             .on(S::INSTANCE)
             .expect("a constant scene never changes");
         let mut report = Report::NONE;
-        for y in 0..picture.size().height as i32 {
-            let row = Rectangle::new(Point::new(0, y), Size::new(picture.size().width, 1));
-            let drawn = picture.draw_area(row, Point::zero(), &mut self.display)?;
-            report = report.merge(drawn);
+        let mut row = [Gray4::BLACK; WIDTH];
+        for y in 0..picture.size().height {
+            report = report.merge(picture.row(y, 0, &mut row));
+            self.show_row(y, &row)?;
             if let Some(request) = self.keys.pressed() {
                 return Ok(request);
             }
@@ -89,5 +94,12 @@ impl Viewer {
         let (ones, rest) = (cut_off as u32 / 10_000, cut_off as u32 % 10_000);
         println!("{}: {rays} rays, weight cut off {ones}.{rest:04}", S::NAME);
         Ok(self.keys.wait())
+    }
+
+    /// Shows a row. Compiled once for all scenes.
+    #[inline(never)]
+    fn show_row(&mut self, y: u32, row: &[Gray4]) -> Result<(), Error> {
+        let area = Rectangle::new(Point::new(0, y as i32), Size::new(row.len() as u32, 1));
+        self.display.fill_contiguous(&area, row.iter().copied())
     }
 }
