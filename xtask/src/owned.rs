@@ -72,7 +72,7 @@ pub static PICO_2: Owned = Owned {
     cores: 2,
     sending: 43.0,
     hidden: 43.0,
-    frame: 28,
+    frame: 27,
     throws: Key::Right,
     board: Board::PICO_2,
     shows_all_scenes: false,

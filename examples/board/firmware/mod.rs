@@ -9,12 +9,8 @@ mod ssd0323;
 
 use core::convert::Infallible;
 
-use embedded_graphics::{
-    draw_target::DrawTarget,
-    geometry::{OriginDimensions, Point, Size},
-    pixelcolor::{Gray4, GrayColor},
-    primitives::Rectangle,
-};
+use embedded_graphics::geometry::OriginDimensions;
+use embedded_graphics::pixelcolor::{Gray4, GrayColor};
 use reflet::scenes::{BuiltIn, Visitor};
 use reflet::{Camera, Report};
 use semihosting::println;
@@ -24,9 +20,6 @@ use self::{
     lm3s::{Board, Output, Spi},
     ssd0323::Ssd0323,
 };
-
-/// Columns of the display.
-const WIDTH: usize = 128;
 
 /// Error of the display; neither SPI nor the pin can fail here.
 pub type Error = ssd0323::Error<Infallible, Infallible>;
@@ -80,10 +73,10 @@ impl Viewer {
             .on(S::INSTANCE)
             .expect("a constant scene never changes");
         let mut report = Report::NONE;
-        let mut row = [Gray4::BLACK; WIDTH];
+        let mut row = [Gray4::BLACK; ssd0323::WIDTH];
         for y in 0..picture.size().height {
             report = report.merge(picture.row(y, 0, &mut row));
-            self.show_row(y, &row)?;
+            self.display.show_row(y as i32, &row)?;
             if let Some(request) = self.keys.pressed() {
                 return Ok(request);
             }
@@ -94,12 +87,5 @@ impl Viewer {
         let (ones, rest) = (cut_off as u32 / 10_000, cut_off as u32 % 10_000);
         println!("{}: {rays} rays, weight cut off {ones}.{rest:04}", S::NAME);
         Ok(self.keys.wait())
-    }
-
-    /// Shows a row. Compiled once for all scenes.
-    #[inline(never)]
-    fn show_row(&mut self, y: u32, row: &[Gray4]) -> Result<(), Error> {
-        let area = Rectangle::new(Point::new(0, y as i32), Size::new(row.len() as u32, 1));
-        self.display.fill_contiguous(&area, row.iter().copied())
     }
 }

@@ -18,8 +18,11 @@ use embedded_graphics::{
 };
 use embedded_hal::{digital::OutputPin, spi::SpiBus};
 
-const SIZE: Size = Size::new(128, 64);
-const ROW_BYTES: usize = SIZE.width as usize / 2;
+/// Columns of the panel.
+pub const WIDTH: usize = 128;
+
+const SIZE: Size = Size::new(WIDTH as u32, 64);
+const ROW_BYTES: usize = WIDTH / 2;
 
 /// Command that selects columns, in pairs. Like `SET_ROWS` it is followed by the first and the last.
 const SET_COLUMNS: u8 = 0x15;
@@ -76,6 +79,19 @@ impl<SPI: SpiBus, DC: OutputPin> Ssd0323<SPI, DC> {
         display.clear(Gray4::new(0))?;
         display.command(&[DISPLAY_ON])?;
         Ok(display)
+    }
+
+    /// Shows a whole row, with less code than any area takes.
+    pub fn show_row(
+        &mut self,
+        y: i32,
+        row: &[Gray4; WIDTH],
+    ) -> Result<(), Error<SPI::Error, DC::Error>> {
+        let mut pairs = [0; ROW_BYTES];
+        for (byte, pixels) in pairs.iter_mut().zip(row.chunks_exact(2)) {
+            *byte = pair(pixels[0], pixels[1]);
+        }
+        self.send(Point::new(0, y), &pairs)
     }
 
     /// Sends pairs of pixels of a row, from an even column to the right.

@@ -28,7 +28,7 @@ use crate::motion::Motion;
 use crate::view::View;
 
 /// Time of a frame in milliseconds while something moves.
-const FRAME: i32 = if cfg!(rp2040) { 35 } else { 28 };
+const FRAME: i32 = if cfg!(rp2040) { 35 } else { 27 };
 
 /// Clock of the cores in kHz.
 const CLOCK: u64 = if cfg!(rp2040) { 200_000 } else { 150_000 };
