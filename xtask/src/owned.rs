@@ -85,7 +85,7 @@ pub static BLACK_PILL: Owned = Owned {
     cores: 1,
     sending: 52.0,
     hidden: 33.0,
-    frame: 67,
+    frame: 65,
     throws: Key::Select,
     board: Board::BLACK_PILL,
     shows_all_scenes: false,

@@ -25,7 +25,7 @@ use crate::motion::{Bounce, Motion, areas};
 const SIDE: u32 = 240;
 
 /// Time of a frame in milliseconds while something moves.
-const FRAME: i32 = 67;
+const FRAME: i32 = 65;
 
 /// Instructions of tracing in the time of a frame, at 1.75 cycles each: that includes handing out the pixels.
 const BUDGET: u64 = 1000 * CORE_MHZ as u64 * FRAME as u64 * 4 / 7;
