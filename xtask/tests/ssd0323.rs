@@ -134,6 +134,16 @@ fn row_is_sent_at_once_with_its_window_two_pixels_a_byte() {
 }
 
 #[test]
+fn whole_row_is_sent_as_an_area_of_one_row_is() {
+    let row: [_; ssd0323::WIDTH] = core::array::from_fn(|x| Gray4::new((x % 16) as u8));
+    let [(mut display, wire), (mut other, expected)] = [display(), display()];
+    display.show_row(7, &row).unwrap();
+    let area = Rectangle::new(Point::new(0, 7), Size::new(128, 1));
+    other.fill_contiguous(&area, row).unwrap();
+    assert_eq!(wire.borrow().sent, expected.borrow().sent);
+}
+
+#[test]
 fn pair_of_single_pixels_is_sent() {
     let (mut display, wire) = display();
     let pixel = |(x, grey)| Pixel(Point::new(x, 63), Gray4::new(grey));
