@@ -1,8 +1,8 @@
 //! Where a picture depends on one bounded shape: the pixels that show the shape, its shadows, or either of them in mirrors.
 //!
 //! Bound: each of these lies in a hull of balls, whose rectangle on the screen is known ([`super::screen_axis`]). The shadow on
-//! a plane lies in what the light's cone around the shape cuts out of the plane ([`cone`]). A bounded shape that the shadow
-//! reaches is taken as a whole, and so is one that mirrors. What a plane mirrors is seen where its image in the plane is.
+//! a plane lies where the light's rays past the shape, a [`cone`], meet the plane. A bounded shape that the shadow reaches is
+//! taken as a whole, and so is one that mirrors. What a plane mirrors is seen where its image in the plane is.
 
 mod cone;
 

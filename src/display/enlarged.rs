@@ -11,8 +11,9 @@ use crate::number::signed;
 ///
 /// A picture drawn on it takes about 1/`scale`² of the work. Its top left corner is (0, 0). If a side of
 /// the display is no multiple of `scale`, the last column or row reaches beyond the display's edge and
-/// is clipped: the picture then lies up to half a large pixel further right or down. There is no buffer: each pixel is one `fill_solid` of the display. Behind a bus this
-/// takes more commands than drawing a whole row at once.
+/// is clipped: the picture then lies up to half a large pixel further right or down. There is no buffer:
+/// each pixel is one `fill_solid` of the display. Behind a bus this takes more commands than drawing a
+/// whole row at once.
 ///
 /// ```
 /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Rgb888};

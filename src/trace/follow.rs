@@ -127,7 +127,7 @@ impl<'a, W: World, K: Shading, Q: Quality> Tracer<'a, W, K, Q> {
         is_plane && (count as usize) < STOPS
     }
 
-    /// Tests whether a surface may show a colour of its own.
+    /// Tests whether a surface may show a colour besides what it mirrors.
     #[inline(always)]
     pub(super) fn has_own(world: &W, surface: &Surface<'_>) -> bool {
         // A view of normals does not reflect: it shows the surface's own colour even of a mirror.

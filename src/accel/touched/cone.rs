@@ -23,9 +23,9 @@ pub(super) struct Cone {
     /// Direction from the light to the ball's centre, and the distance.
     axis: Direction,
     distance: i32,
-    /// Radius of the cone at the centre.
+    /// Radius of the cone at the ball's centre.
     spread: i32,
-    /// Corners of an octagon around the cone at the centre.
+    /// Corners of an octagon around the cone's circle at the ball's centre.
     corners: [Point; 8],
 }
 

@@ -148,7 +148,7 @@ impl<W: World, K: Shading, Q: Quality, M: Marks> Colors<'_, '_, W, K, Q, M> {
             sink.set_curve(first, length, curve);
             return true;
         }
-        // Where four columns bend so far off, none of the columns between is as expected.
+        // Four columns that bend so far off say nothing of those between, which are traced.
         let is_rough = length <= 4 && !off.is_within(8 * Self::TOLERANCE);
         let least = if is_rough { Samples::Five } else { Samples::Three };
         let bends = [half, length - half].map(|length| curve.bend((length / 2).max(1)));
