@@ -44,7 +44,8 @@ pub use narrow::{
 };
 pub use power::{Exponent, even_power, power, whole_power};
 pub use product::{
-    add_high_positive, high, high_positive, high_unsigned, wide, wide_positive, wide_unsigned,
+    IS_ARMV6_M, add_high_positive, high, high_positive, high_unsigned, wide, wide_positive,
+    wide_unsigned,
 };
 pub use root::{
     Quotient, divide, ratio, reciprocal_root, root_of_square, root_of_unit, square_root, unit_shift,

@@ -25,7 +25,10 @@ pub const fn add_high_positive(sum: i32, a: i32, b: i32) -> i32 {
     narrowed((((sum as i64) << 32) + half + wide_positive(a, b)) >> 32)
 }
 
-// The Arm cores without a long multiply are those without atomic exchanges.
+/// Whether the core is an Armv6-M (Cortex-M0): it has no long multiply and counts no zeros. These are the Arm cores without
+/// atomic exchanges.
+pub const IS_ARMV6_M: bool = cfg!(all(target_arch = "arm", not(target_has_atomic = "32")));
+
 #[cfg(not(all(target_arch = "arm", not(target_has_atomic = "32"))))]
 mod multiplier {
     use crate::number::narrow::{signed_wide, unsigned};

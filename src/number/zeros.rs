@@ -3,16 +3,12 @@
 //! Most cores count leading zeros in one instruction. Armv6-M (Cortex-M0) cannot; there, a table gives
 //! the count for the leading byte. This takes a third of the instructions of the compiler's routine.
 
-use super::{to_u8, to_u32};
+use super::{IS_ARMV6_M, to_u8, to_u32};
 
 /// Returns the number of leading zeros of a number; 32 for 0.
 #[inline(always)]
 pub const fn leading_zeros(number: u32) -> u32 {
-    if cfg!(all(target_arch = "arm", not(target_has_atomic = "32"))) {
-        looked_up(number)
-    } else {
-        number.leading_zeros()
-    }
+    if IS_ARMV6_M { looked_up(number) } else { number.leading_zeros() }
 }
 
 /// Number of leading zeros of every 8-bit number.

@@ -5,7 +5,7 @@ use super::footprint::SeenCells;
 use super::visibility::{Culled, Plain};
 use super::{Footprint, Pixel, STOPS, Stops, Traced, Tracer};
 use crate::accel::World;
-use crate::number::{Unit, share};
+use crate::number::{IS_ARMV6_M, Unit, share};
 use crate::qualities::Quality;
 use crate::ray::ScaledRay;
 use crate::scene::{Mirrors, Surface};
@@ -25,10 +25,8 @@ struct Followed {
 }
 
 impl<'a, W: World, K: Shading, Q: Quality> Tracer<'a, W, K, Q> {
-    /// Whether the camera's ray has code of its own. It takes more flash, and on the Arm cores without a long multiply (see
-    /// `number::product`) more instructions.
-    const IS_APART: bool =
-        !Q::IS_SMALL && cfg!(not(all(target_arch = "arm", not(target_has_atomic = "32"))));
+    /// Whether the camera's ray has code of its own. It takes more flash, and on an Armv6-M more instructions.
+    const IS_APART: bool = !Q::IS_SMALL && !IS_ARMV6_M;
 
     /// Follows one path from the camera in `direction`, and returns its colour and signature. Stores its
     /// hits in `stops` if pixels are interpolated and `is_read`. The signature has no meaning otherwise.
