@@ -93,7 +93,12 @@ impl<'a, W: World, K: Shading, Q: Quality> Tracer<'a, W, K, Q> {
         } else {
             let plane = if W::NEEDS.plane_mirrors { parts.plane(skip) } else { None };
             match (pixel, bounce.count, plane) {
-                (Pixel::Center(_, column), 0, _) => self.culling.direct(world, *column, ray),
+                (Pixel::Center(_, column), 0, _) => {
+                    if let Some(hit) = self.known_hit(ray) {
+                        return hit;
+                    }
+                    self.culling.direct(world, *column, ray)
+                }
                 (Pixel::Center(window, column), 1, Some(plane)) => {
                     let pixel = (*window, *column);
                     self.culling.mirrored(world, (skip, plane), pixel, ray)

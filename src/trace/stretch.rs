@@ -226,7 +226,7 @@ impl<'a, W: World, K: Shading, Q: Quality> Tracer<'a, W, K, Q> {
     /// Tests whether no other shape comes to the front in a stretch. Notes in `proved` where one that may begins or
     /// ends.
     #[inline(never)]
-    fn keeps(
+    pub(super) fn keeps(
         &mut self,
         (window, _): Between<'_>,
         origin: &Origin<'_>,

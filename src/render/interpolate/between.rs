@@ -34,7 +34,7 @@ impl<W: World, K: Shading, Q: Quality, M: Marks> Colors<'_, '_, W, K, Q, M> {
                 break;
             }
             let Some([before, after]) = self.border([first, last], ends, &proved) else {
-                self.trace_each(first + 1, last, sink);
+                self.trace_all([first, last], ends, sink);
                 break;
             };
             let mut middle = start;
@@ -53,6 +53,17 @@ impl<W: World, K: Shading, Q: Quality, M: Marks> Colors<'_, '_, W, K, Q, M> {
             (first, start) = (after, middle);
         }
         self.release(&start, outer);
+    }
+
+    /// Traces each pixel between two traced ones.
+    #[inline(always)]
+    fn trace_all(&mut self, [first, last]: [u32; 2], ends: [&End; 2], sink: &mut impl Sink) {
+        if last - first >= SHORTEST {
+            let between = (&self.window, [first, last]);
+            self.tracer.know(between, hits(&self.stops, ends));
+        }
+        self.trace_each(first + 1, last, sink);
+        self.tracer.forget();
     }
 
     /// Tests whether all paths between two traced pixels surely meet the same shapes, lit by the same lights. Returns
