@@ -32,7 +32,14 @@ impl PreparedSphere {
         let half_chord = root_of_square(unsigned_wide(half_chord_square) | 1);
         let entry = distance - half_chord;
         let met = if entry > start.to_bits() { entry } else { distance + half_chord };
-        (start.to_bits() < met && met < reach.to_bits()).then_some(Length::from_bits(met))
+        // Two branches take fewer instructions than one condition.
+        if met <= start.to_bits() {
+            return None;
+        }
+        if met >= reach.to_bits() {
+            return None;
+        }
+        Some(Length::from_bits(met))
     }
 
     /// Tests whether the ray hits the sphere at a distance above 0 and below `reach`. Takes no root. A
