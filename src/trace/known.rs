@@ -46,7 +46,9 @@ impl<W: World, K: Shading, Q: Quality> Tracer<'_, W, K, Q> {
         let [Some(first), Some(last)] = ends.map(|it| it.all().first()) else {
             return None;
         };
-        let is_outside = [first, last].iter().all(|it| !it.is_inside && it.place.is_near());
+        let is_outside = [first, last]
+            .iter()
+            .all(|it| !it.is_inside && it.place.is_near());
         let sphere = first.shape.index();
         let ball = parts.spheres.get(sphere)?.ball();
         if first.shape != last.shape || !is_outside {
@@ -66,9 +68,15 @@ impl<W: World, K: Shading, Q: Quality> Tracer<'_, W, K, Q> {
             eye: Some(eye),
             mirror: None,
         };
-        let origin = Origin { eye, row, level: 0, mirror: None };
+        let origin = Origin {
+            eye,
+            row,
+            level: 0,
+            mirror: None,
+        };
         let mut proved = Progress::NONE;
-        self.keeps(between, &origin, &stretch, &mut proved).then_some(sphere)
+        self.keeps(between, &origin, &stretch, &mut proved)
+            .then_some(sphere)
     }
 
     /// Returns where a ray of the camera hits the known ball. `None` if no ball is known, or if rounding lets the ray pass by.
@@ -79,8 +87,14 @@ impl<W: World, K: Shading, Q: Quality> Tracer<'_, W, K, Q> {
         }
         let sphere = self.world.parts().spheres.get(self.known)?;
         let (center, _) = sphere.ball();
-        let range = Range { start: NOWHERE, reach: REACH };
+        let range = Range {
+            start: NOWHERE,
+            reach: REACH,
+        };
         let distance = sphere.met(ray.origin.to(center), ray.direction, range)?;
-        Some(Hit { distance, shape: ShapeId::at(self.known) })
+        Some(Hit {
+            distance,
+            shape: ShapeId::at(self.known),
+        })
     }
 }
