@@ -23,8 +23,7 @@ pub(crate) struct Stretch<'a> {
     /// Where all points of the shape lie that the stretch can show. `None` if they are not near, or if
     /// nothing is hit.
     pub(crate) chord: Option<Chord>,
-    /// The eye. `None` if the shape is hit from inside, or if nothing is hit.
-    pub(crate) eye: Option<Point>,
+    pub(crate) eye: Point,
     /// The plane that mirrored the rays.
     pub(crate) mirror: Option<&'a PreparedPlane>,
 }
@@ -34,7 +33,7 @@ impl Stretch<'_> {
     /// bulges away from the eye: a plane behind the points at both ends may still be in front of one between them.
     #[inline(never)]
     pub(super) fn is_before(&self, planes: &[PreparedPlane]) -> bool {
-        let Some(chord) = self.chord.as_ref().filter(|_| self.eye.is_none()) else {
+        let Some(chord) = self.chord.as_ref().filter(|chord| chord.is_hollow) else {
             return true;
         };
         let height = |plane: &PreparedPlane, end| (plane.height(end) >> 30).unsigned_abs();
@@ -53,6 +52,8 @@ pub(crate) struct Chord {
     pub(crate) bulge: i32,
     /// What rounding and epsilon may add to the distance from the eye, in steps.
     pub(crate) slack: i32,
+    /// Whether a curved shape is hit from inside.
+    pub(crate) is_hollow: bool,
 }
 
 impl Chord {
@@ -283,7 +284,7 @@ impl<K: Bordered> ActiveShape<'_, K> {
 
     /// Tests whether the shape begins and ends behind the surface that the stretch shows.
     fn begins_behind<W: SceneAccess>(&self, stretch: &Stretch<'_>) -> bool {
-        let (Some(eye), Some(chord)) = (stretch.eye, &stretch.chord) else {
+        let Some(chord) = stretch.chord.as_ref().filter(|chord| !chord.is_hollow) else {
             return false;
         };
         // An end that cuts a closed shape shows that the shape is behind there.
@@ -294,6 +295,6 @@ impl<K: Bordered> ActiveShape<'_, K> {
             && stretch.mirror.is_none_or(|mirror| {
                 Body::Plane(mirror).is_apart_from::<W>(self.shape.bounding_ball())
             });
-        is_seen || self.shape.outline_distance(&self.from) > chord.reach(eye)
+        is_seen || self.shape.outline_distance(&self.from) > chord.reach(stretch.eye)
     }
 }

@@ -10,7 +10,7 @@ mod bounce;
 mod cells;
 mod follow;
 mod footprint;
-mod known;
+pub(crate) mod known;
 mod lights;
 mod origin;
 mod plane_line;
@@ -91,7 +91,7 @@ pub(crate) struct Tracer<'a, W: World, K, Q> {
     /// Largest number of reflections of a path.
     reflections: u32,
     /// Index of the sphere that the camera's rays surely hit first, or [`known::UNKNOWN`].
-    known: usize,
+    pub(crate) known: usize,
     /// Number of rays that were followed, without shadow rays.
     pub(crate) rays: u32,
     /// Largest throughput that a path had when it was cut off.

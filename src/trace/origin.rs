@@ -19,6 +19,16 @@ pub(super) struct Origin<'a> {
 }
 
 impl<'a> Origin<'a> {
+    /// Returns where the camera's rays come from.
+    pub(super) fn camera((eye, row): (Point, Direction)) -> Self {
+        Self {
+            eye,
+            row,
+            level: 0,
+            mirror: None,
+        }
+    }
+
     /// Returns where the rays come from after a plane mirrored them, `None` if that is far.
     pub(super) fn mirrored(
         &self,

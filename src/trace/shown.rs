@@ -3,6 +3,7 @@
 
 use super::stops::Stop;
 use super::stretch::LARGEST_TURN;
+use crate::accel::stretch::Chord;
 use crate::accel::{LitStretch, World};
 use crate::material::PreparedMaterial;
 use crate::number::{
@@ -123,6 +124,18 @@ const GRAZED: Unit = Unit::from_bits((1 << 30) / 10 * 3);
 const SURE_COSINE: i32 = 1 << 14;
 
 impl Shown<'_> {
+    /// Returns the straight line between the points at the two ends, if they are near.
+    pub(super) fn chord(&self) -> Option<Chord> {
+        let lit = &self.lit;
+        self.ball.map(|ball| Chord {
+            ball,
+            ends: lit.ends.map(|end| end.point),
+            bulge: lit.bulge + lit.slack,
+            slack: lit.slack,
+            is_hollow: lit.is_hollow,
+        })
+    }
+
     /// Returns how many pixels show how the highlight of a light changes. `rays` are those of the light.
     #[inline(never)]
     pub(super) fn highlight_samples<K: Shading>(&self, rays: &Rays) -> Samples {

@@ -4,7 +4,7 @@
 //! eye and lie in one plane. docs/internals/edges.md has the proof.
 
 use super::origin::Origin;
-use super::shown::{Shown, shown};
+use super::shown::shown;
 use super::stops::Stop;
 use super::{Stops, Tracer};
 use crate::accel::stretch::{Body, Chord, Stretch};
@@ -68,15 +68,10 @@ impl<'a, W: World, K: Shading, Q: Quality> Tracer<'a, W, K, Q> {
         proved: &mut Progress,
     ) -> bool {
         let parts = self.world.parts();
-        let Some((eye, row)) = self.culling.eye() else {
+        let Some(eye) = self.culling.eye() else {
             return false;
         };
-        let mut origin = Origin {
-            eye,
-            row,
-            level: 0,
-            mirror: None,
-        };
+        let mut origin = Origin::camera(eye);
         let [start, end] = ends.map(Stops::all);
         for (first, last) in start.iter().zip(end) {
             if first.shape != last.shape || first.is_inside != last.is_inside {
@@ -147,7 +142,7 @@ impl<'a, W: World, K: Shading, Q: Quality> Tracer<'a, W, K, Q> {
             || if W::NEEDS.facing_mirrors && origin.level > 1 {
                 shown.ball.is_some() && is_clear_way(self.world, origin.eye, &shown.lit)
             } else {
-                self.keeps_front(between, origin, (stops, &shown), proved)
+                self.keeps_front(between, origin, (first.shape, shown.chord()), proved)
             };
         sure(keeps, 0)?;
         self.keeps_lights(&shown, proved).map(|()| is_one_cell)
@@ -169,15 +164,7 @@ impl<'a, W: World, K: Shading, Q: Quality> Tracer<'a, W, K, Q> {
             }
         }
         if !W::NEEDS.facing_mirrors || origin.level < 2 {
-            let stretch = Stretch {
-                columns: between.1,
-                shape: ShapeId::NONE,
-                body: Body::None,
-                chord: None,
-                eye: None,
-                mirror: origin.mirror.map(|(_, plane)| plane),
-            };
-            return self.keeps(between, origin, &stretch, proved);
+            return self.keeps_front(between, origin, (ShapeId::NONE, None), proved);
         }
         let beyond = LitStretch {
             shape: ShapeId::NONE,
@@ -189,54 +176,36 @@ impl<'a, W: World, K: Shading, Q: Quality> Tracer<'a, W, K, Q> {
         is_clear_way(self.world, origin.eye, &beyond)
     }
 
-    /// Tests whether no other shape comes in front of the one that is shown, directly or in one plane.
-    fn keeps_front(
+    /// Tests whether no other shape comes in front of the one that is shown, directly or in one plane. Notes in `proved`
+    /// where one that may begins or ends.
+    #[inline(never)]
+    pub(super) fn keeps_front(
         &mut self,
-        between: Between<'_>,
+        (window, columns): Between<'_>,
         origin: &Origin<'_>,
-        (stops, shown): ([&Stop; 2], &Shown<'_>),
+        (shape, chord): (ShapeId, Option<Chord>),
         proved: &mut Progress,
     ) -> bool {
         let parts = self.world.parts();
-        let shape = shown.lit.shape;
         let ball = || parts.ball(shape.index()).map(|(ball, _)| Body::Ball(ball));
         let body = parts.plane(shape).map(Body::Plane).or_else(ball);
         let stretch = Stretch {
-            columns: between.1,
+            columns,
             shape,
             body: body.unwrap_or(Body::None),
-            chord: shown.ball.map(|ball| Chord {
-                ball,
-                ends: stops.map(|stop| stop.place.point),
-                bulge: shown.lit.bulge + shown.lit.slack,
-                slack: shown.lit.slack,
-            }),
-            eye: (!shown.lit.is_hollow).then_some(origin.eye),
+            chord,
+            eye: origin.eye,
             mirror: origin.mirror.map(|(_, plane)| plane),
         };
-        self.keeps(between, origin, &stretch, proved)
+        let kept = (self.culling).keeps(self.world, origin.mirror, window, &stretch);
+        proved.border = kept.err().flatten();
+        kept.is_ok()
     }
 
     /// Tests whether a stretch of a shape lies in one cell of its material's checker. Its points are at most `aside` steps off
     /// the straight line between its ends. Cells are convex, so a flat one does if its ends do.
     fn is_one_cell(&self, shape: ShapeId, ends: [ScaledPoint; 2], aside: i32) -> bool {
         checker_of(self.world, shape).is_none_or(|checker| checker.is_one_cell(ends, aside))
-    }
-
-    /// Tests whether no other shape comes to the front in a stretch. Notes in `proved` where one that may begins or
-    /// ends.
-    #[inline(never)]
-    pub(super) fn keeps(
-        &mut self,
-        (window, _): Between<'_>,
-        origin: &Origin<'_>,
-        stretch: &Stretch<'_>,
-        proved: &mut Progress,
-    ) -> bool {
-        let culling = &mut self.culling;
-        let kept = culling.keeps(self.world, origin.mirror, window, stretch);
-        proved.border = kept.err().flatten();
-        kept.is_ok()
     }
 }
 

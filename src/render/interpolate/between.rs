@@ -6,6 +6,7 @@ use crate::color::{Bend, Parabola};
 use crate::qualities::Quality;
 use crate::shade::Samples;
 use crate::shade::highlight::sealed::Shading;
+use crate::trace::known::UNKNOWN;
 use crate::trace::{Progress, Stops};
 
 impl<W: World, K: Shading, Q: Quality, M: Marks> Colors<'_, '_, W, K, Q, M> {
@@ -63,7 +64,7 @@ impl<W: World, K: Shading, Q: Quality, M: Marks> Colors<'_, '_, W, K, Q, M> {
             self.tracer.know(between, hits(&self.stops, ends));
         }
         self.trace_each(first + 1, last, sink);
-        self.tracer.forget();
+        self.tracer.known = UNKNOWN;
     }
 
     /// Tests whether all paths between two traced pixels surely meet the same shapes, lit by the same lights. Returns
