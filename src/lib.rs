@@ -285,8 +285,7 @@ pub mod description {
 /// Items that the macros of the crate name. They are not part of the interface.
 #[doc(hidden)]
 pub mod __private {
-    pub use crate::accel::any_scene::Everything;
-    pub use crate::accel::{Apart, StaticScene};
+    pub use crate::accel::{Apart, Everything, StaticScene};
     pub use crate::scene::{Capacity, Counts, Room, SceneLines, described};
     pub use core::clone::Clone;
     pub use core::fmt::Debug;

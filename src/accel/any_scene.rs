@@ -1,6 +1,6 @@
 //! The trait of all scenes that frames can be drawn of: constant scenes, scenes in RAM, limited ones.
 
-use super::within::{Limited, Whole, Within};
+use super::within::{Limited, Within};
 use super::{ActiveRoom, Apart, MovingScene, Scene, Static, Tabled, World};
 use crate::scene::NeedsLimit;
 
@@ -130,25 +130,3 @@ impl<S: AnyScene, L: NeedsLimit> AnyScene for Limited<'_, S, L> {
         self.scene().stamp()
     }
 }
-
-impl<S: AnyScene> AnyScene for Everything<'_, S> {
-    type Room = S::Room;
-    type World<'w>
-        = Whole<S::World<'w>>
-    where
-        Self: 'w;
-    const CHANGES: bool = S::CHANGES;
-
-    #[inline(always)]
-    fn world(&self) -> Self::World<'_> {
-        Whole(self.0.world())
-    }
-
-    fn stamp(&self) -> u32 {
-        self.0.stamp()
-    }
-}
-
-/// A scene for which all code of the library is linked. Measurements use it to show what needs save.
-#[derive(Clone, Copy, Debug)]
-pub struct Everything<'a, S>(pub &'a S);

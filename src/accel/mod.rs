@@ -39,7 +39,7 @@ pub use scene::{Scene, Tabled};
 pub use static_scene::{Apart, Static, StaticScene};
 pub use touched::BoundedShape;
 pub(crate) use touched::Touched;
-pub use within::Limited;
+pub use within::{Everything, Limited};
 
 pub use active_lists::ActiveRoom;
 use hierarchy::Hierarchy;

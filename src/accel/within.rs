@@ -1,4 +1,4 @@
-//! Scenes for which less code is linked than their type allows ([`Limited`]), or all code ([`Whole`]).
+//! Scenes for which less code is linked than their type allows ([`Limited`]), or all code ([`Everything`]).
 
 use core::marker::PhantomData;
 
@@ -92,8 +92,8 @@ impl<W: Clone, B> Clone for Within<W, B> {
 impl<W: Copy, B> Copy for Within<W, B> {}
 
 impl<W: SceneAccess, B: NeedsLimit> SceneAccess for Within<W, B> {
-    const NEEDS: Needs = W::NEEDS.both(&B::NEEDS);
-    const HAS_BLANK: bool = W::HAS_BLANK;
+    const NEEDS: Needs = if B::IS_LINKED_WHOLE { Needs::ALL } else { W::NEEDS.both(&B::NEEDS) };
+    const HAS_BLANK: bool = W::HAS_BLANK || B::IS_LINKED_WHOLE;
 
     #[inline(always)]
     fn parts(&self) -> Parts<'_> {
@@ -101,16 +101,23 @@ impl<W: SceneAccess, B: NeedsLimit> SceneAccess for Within<W, B> {
     }
 }
 
-/// A scene as the kernels read it, for which every need counts as needed.
-#[derive(Clone, Copy, Debug)]
-pub struct Whole<W>(pub(crate) W);
+/// A scene for which all code of the library is linked. Measurements use it to show what needs save.
+pub type Everything<'a, S> = Limited<'a, S, All>;
 
-impl<W: SceneAccess> SceneAccess for Whole<W> {
+/// The limit of [`Everything`].
+#[derive(Debug)]
+pub struct All;
+
+impl NeedsLimit for All {
     const NEEDS: Needs = Needs::ALL;
+    const IS_LINKED_WHOLE: bool = true;
+}
 
-    #[inline(always)]
-    fn parts(&self) -> Parts<'_> {
-        self.0.parts()
+impl<'a, S> Everything<'a, S> {
+    /// Links all code for a scene.
+    pub const fn of(scene: &'a S) -> Self {
+        let limit = PhantomData;
+        Self { scene, limit }
     }
 }
 
@@ -125,15 +132,5 @@ impl<W: World, B: NeedsLimit> World for Within<W, B> {
             light_occluders: if_needed(B::NEEDS.lights, tables.light_occluders),
             ..tables
         }
-    }
-}
-
-impl<W: World> World for Whole<W> {
-    type Room = W::Room;
-    const IS_CROWD: bool = W::IS_CROWD;
-
-    #[inline(always)]
-    fn tables(&self) -> Tables<'_, W::Room> {
-        self.0.tables()
     }
 }

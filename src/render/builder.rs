@@ -3,7 +3,7 @@
 use core::marker::PhantomData;
 
 use super::PreparedFrame;
-use crate::accel::any_scene::{AnyScene, Everything};
+use crate::accel::any_scene::AnyScene;
 use crate::accel::screen_axis::Columns;
 use crate::accel::thin::is_shown_thin;
 use crate::accel::{ActiveRoom, Apart, BoundedShape, Limited, MovingScene, Scene, Tabled, Touched};
@@ -182,4 +182,3 @@ framed!([R: ActiveRoom] Scene<R>);
 framed!(['a, R: ActiveRoom] Tabled<'a, R>);
 framed!([T: Apart] MovingScene<T>);
 framed!(['a, S: AnyScene, L: NeedsLimit] Limited<'a, S, L>);
-framed!(['a, S: AnyScene] Everything<'a, S>);

@@ -21,6 +21,10 @@ use crate::error_kind::ErrorKind;
 pub trait NeedsLimit {
     /// Largest needs that a scene may have.
     const NEEDS: Needs;
+
+    /// Whether code that the scene does not need is linked, too. Measurements use it to show what needs save.
+    #[doc(hidden)]
+    const IS_LINKED_WHOLE: bool = false;
 }
 
 impl Needs {

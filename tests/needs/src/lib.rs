@@ -36,7 +36,7 @@ fn assert_is_the_same_at_run_time<S: BuiltIn>() {
     assert_alike::<Fast, BlinnPhong>(S::NAME, view, fixed, filled);
     assert_alike::<Exact, Phong>(S::NAME, view, fixed, filled);
     assert_alike::<Small, BlinnPhong>(S::NAME, view, fixed, filled);
-    assert_alike::<Fast, BlinnPhong>(S::NAME, view, fixed, &Everything(fixed));
+    assert_alike::<Fast, BlinnPhong>(S::NAME, view, fixed, &Everything::of(fixed));
 }
 
 /// Compares the needs of a constant scene with those that are found at run time.

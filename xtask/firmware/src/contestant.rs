@@ -92,7 +92,7 @@ impl<S: Apart, V: View, Q: Quality, K: Shading, const N: u8> Contestant
     type Picture = PreparedFrame<Whole<'static, S>, Q, K>;
 
     fn scene() -> Self::Scene {
-        Whole(S::INSTANCE)
+        Whole::of(S::INSTANCE)
     }
 
     counted!();
