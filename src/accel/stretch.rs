@@ -23,6 +23,7 @@ pub(crate) struct Stretch<'a> {
     /// Where all points of the shape lie that the stretch can show. `None` if they are not near, or if
     /// nothing is hit.
     pub(crate) chord: Option<Chord>,
+    /// Where the rays start: the camera, or its image in a plane.
     pub(crate) eye: Point,
     /// The plane that mirrored the rays.
     pub(crate) mirror: Option<&'a PreparedPlane>,

@@ -67,7 +67,7 @@ impl<'a, S: AnyScene, L: NeedsLimit> Limited<'a, S, L> {
     }
 }
 
-/// A scene as the kernels read it, with no more needs than the limit `B` allows.
+/// A scene as the kernels read it, with no more needs than the limit `B` allows, or with all of them if `B` says so.
 pub struct Within<W, B> {
     world: W,
     bound: PhantomData<B>,
@@ -92,7 +92,7 @@ impl<W: Clone, B> Clone for Within<W, B> {
 impl<W: Copy, B> Copy for Within<W, B> {}
 
 impl<W: SceneAccess, B: NeedsLimit> SceneAccess for Within<W, B> {
-    const NEEDS: Needs = if B::IS_LINKED_WHOLE { Needs::ALL } else { W::NEEDS.both(&B::NEEDS) };
+    const NEEDS: Needs = if B::IS_LINKED_WHOLE { B::NEEDS } else { W::NEEDS.both(&B::NEEDS) };
     const HAS_BLANK: bool = W::HAS_BLANK || B::IS_LINKED_WHOLE;
 
     #[inline(always)]
@@ -102,13 +102,13 @@ impl<W: SceneAccess, B: NeedsLimit> SceneAccess for Within<W, B> {
 }
 
 /// A scene for which all code of the library is linked. Measurements use it to show what needs save.
-pub type Everything<'a, S> = Limited<'a, S, All>;
+pub type Everything<'a, S> = Limited<'a, S, EveryNeed>;
 
-/// The limit of [`Everything`].
+/// The limit of [`Everything`]: all that a scene can need, and all of it linked.
 #[derive(Debug)]
-pub struct All;
+pub struct EveryNeed;
 
-impl NeedsLimit for All {
+impl NeedsLimit for EveryNeed {
     const NEEDS: Needs = Needs::ALL;
     const IS_LINKED_WHOLE: bool = true;
 }

@@ -496,5 +496,6 @@ fn far_lights_are_hidden_by_what_lies_ahead() {
     assert!(counts.iter().all(|&it| it > 500), "{counts:?}");
 }
 
+mod balls;
 mod planes;
 mod switches;

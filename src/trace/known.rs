@@ -1,5 +1,5 @@
-//! The ball that all of the camera's rays between two traced ones surely hit first. Where it mirrors them, each path is
-//! traced, but not searched for the ball.
+//! The ball that all of the camera's rays between two traced ones surely hit first. Mostly it is a mirror, behind which
+//! each path is traced. Where such a ray hits it is computed from the ball alone.
 
 use super::origin::Origin;
 use super::stops::Stop;
@@ -15,56 +15,66 @@ use crate::shade::highlight::sealed::Shading;
 use crate::shape::bounded::Range;
 
 /// No sphere has this index.
-pub(crate) const UNKNOWN: usize = usize::MAX;
+pub(super) const NO_BALL: usize = usize::MAX;
 
 impl<W: World, K: Shading, Q: Quality> Tracer<'_, W, K, Q> {
-    /// Whether a known ball pays. Where nothing round mirrors, most pixels are interpolated.
-    const KNOWS: bool = Self::IS_INTERPOLATED && W::NEEDS.spheres && W::NEEDS.mirrored;
+    /// Whether balls are looked for. Where nothing is mirrored, most pixels are interpolated.
+    const FINDS_BALLS: bool = Self::IS_INTERPOLATED && W::NEEDS.spheres && W::NEEDS.mirrored;
 
-    /// Finds out which ball all rays between two traced ones surely hit first. Rays are not searched for it until
-    /// [`Tracer::known`] is [`UNKNOWN`] again.
+    /// Finds the ball that all rays between two traced ones surely hit first, and returns whether there is one. Until
+    /// [`Tracer::forget_ball`] is called, only rays through the centres of pixels between the two may be traced.
     #[inline(always)]
-    pub(crate) fn know(&mut self, between: Between<'_>, ends: [&Stops; 2]) {
-        if Self::KNOWS {
-            self.known = self.ball_between(between, ends).unwrap_or(UNKNOWN);
+    pub(crate) fn find_ball(&mut self, between: Between<'_>, ends: [&Stops; 2]) -> bool {
+        if Self::FINDS_BALLS {
+            self.known_ball = self.ball_between(between, ends).unwrap_or(NO_BALL);
         }
+        self.known_ball != NO_BALL
+    }
+
+    /// Searches all shapes again for what a ray hits first.
+    #[inline(always)]
+    pub(crate) fn forget_ball(&mut self) {
+        self.known_ball = NO_BALL;
     }
 
     /// Returns the index of the sphere that all rays between two traced ones surely hit first, from outside.
     ///
     /// The two rays hit it, and it is convex, so all between do. Its points between lie in the triangle of the eye and
-    /// both hits, and so on the viewer's side of each plane. Other shapes are told as in an interpolated stretch.
+    /// both hits. No plane crosses a ray before its hit, so none crosses the triangle. Other shapes are tested as in an
+    /// interpolated stretch.
     #[inline(never)]
     fn ball_between(&mut self, between: Between<'_>, ends: [&Stops; 2]) -> Option<usize> {
         let (parts, eye) = (self.world.parts(), self.culling.eye()?);
         let [Some(first), Some(last)] = ends.map(|it| it.all().first()) else {
             return None;
         };
-        let ball = parts.spheres.get(first.shape.index())?.ball();
+        // Spheres are the first kind, so the index of one is that of its id.
+        let index = first.shape.index();
+        let (center, radius) = parts.spheres.get(index)?.ball();
         let is_outside = |end: &Stop| !end.is_inside && end.place.is_near();
         if first.shape != last.shape || !is_outside(first) || !is_outside(last) {
             return None;
         }
         let slack = 2 * parts.epsilon.to_bits() + 8;
         let chord = Chord {
-            ball,
+            ball: (center, radius + slack),
             ends: [first, last].map(|end| end.place.point),
-            bulge: ball.1 + slack,
+            bulge: radius + slack,
             slack,
             is_hollow: false,
         };
         let (front, mut proved) = ((first.shape, Some(chord)), Progress::NONE);
-        let is_kept = self.keeps_front(between, &Origin::camera(eye), front, &mut proved);
-        is_kept.then_some(first.shape.index())
+        let is_first = self.keeps_front(between, &Origin::camera(eye), front, &mut proved);
+        is_first.then_some(index)
     }
 
-    /// Returns where a ray of the camera hits the known ball. `None` if no ball is known, or if rounding lets the ray pass by.
+    /// Returns where a ray of the camera hits the known ball. `None` if none is known, or if rounding lets the ray pass by.
     #[inline(always)]
     pub(super) fn known_hit(&self, ray: &Ray) -> Option<Hit> {
-        if !Self::KNOWS {
+        if !Self::FINDS_BALLS {
             return None;
         }
-        let sphere = self.world.parts().spheres.get(self.known)?;
+        let sphere = self.world.parts().spheres.get(self.known_ball)?;
         let range = Range {
             start: NOWHERE,
             reach: REACH,
@@ -72,7 +82,7 @@ impl<W: World, K: Shading, Q: Quality> Tracer<'_, W, K, Q> {
         let distance = sphere.met(ray.origin.to(sphere.ball().0), ray.direction, range)?;
         Some(Hit {
             distance,
-            shape: ShapeId::at(self.known),
+            shape: ShapeId::at(self.known_ball),
         })
     }
 }

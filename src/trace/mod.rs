@@ -10,7 +10,7 @@ mod bounce;
 mod cells;
 mod follow;
 mod footprint;
-pub(crate) mod known;
+mod known;
 mod lights;
 mod origin;
 mod plane_line;
@@ -90,8 +90,8 @@ pub(crate) struct Tracer<'a, W: World, K, Q> {
     list: ShapeSet,
     /// Largest number of reflections of a path.
     reflections: u32,
-    /// Index of the sphere that the camera's rays surely hit first, or [`known::UNKNOWN`].
-    pub(crate) known: usize,
+    /// Index of the sphere that the camera's rays surely hit first, or [`known::NO_BALL`].
+    known_ball: usize,
     /// Number of rays that were followed, without shadow rays.
     pub(crate) rays: u32,
     /// Largest throughput that a path had when it was cut off.
@@ -120,7 +120,7 @@ impl<'a, W: World, K: Shading, Q: Quality> Tracer<'a, W, K, Q> {
             culling,
             list,
             reflections: reflections.min(W::NEEDS.reflections).into(),
-            known: known::UNKNOWN,
+            known_ball: known::NO_BALL,
             rays: 0,
             cut_off: Unit::ZERO,
             kinds: PhantomData,

@@ -6,7 +6,6 @@ use crate::color::{Bend, Parabola};
 use crate::qualities::Quality;
 use crate::shade::Samples;
 use crate::shade::highlight::sealed::Shading;
-use crate::trace::known::UNKNOWN;
 use crate::trace::{Progress, Stops};
 
 impl<W: World, K: Shading, Q: Quality, M: Marks> Colors<'_, '_, W, K, Q, M> {
@@ -61,10 +60,10 @@ impl<W: World, K: Shading, Q: Quality, M: Marks> Colors<'_, '_, W, K, Q, M> {
     fn trace_all(&mut self, [first, last]: [u32; 2], ends: [&End; 2], sink: &mut impl Sink) {
         if last - first >= SHORTEST {
             let between = (&self.window, [first, last]);
-            self.tracer.know(between, hits(&self.stops, ends));
+            self.tracer.find_ball(between, hits(&self.stops, ends));
         }
         self.trace_each(first + 1, last, sink);
-        self.tracer.known = UNKNOWN;
+        self.tracer.forget_ball();
     }
 
     /// Tests whether all paths between two traced pixels surely meet the same shapes, lit by the same lights. Returns

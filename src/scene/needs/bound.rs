@@ -22,7 +22,8 @@ pub trait NeedsLimit {
     /// Largest needs that a scene may have.
     const NEEDS: Needs;
 
-    /// Whether code that the scene does not need is linked, too. Measurements use it to show what needs save.
+    /// Whether code within the limit is linked even if the scene does not need it. Measurements use it to show what needs
+    /// save.
     #[doc(hidden)]
     const IS_LINKED_WHOLE: bool = false;
 }
