@@ -76,16 +76,32 @@ impl Viewer {
         let mut row = [Gray4::BLACK; ssd0323::WIDTH];
         for y in 0..picture.size().height {
             report = report.merge(picture.row(y, 0, &mut row));
-            self.display.show_row(y as i32, &row)?;
-            if let Some(request) = self.keys.pressed() {
+            if let Some(request) = self.show_row(y as i32, &row)? {
                 return Ok(request);
             }
         }
-        // Printed as whole numbers: formatting them costs a fraction of what other numbers cost.
-        let (rays, cut_off) = (report.rays as u32, report.cut_off.to_bits() as u32);
-        let cut_off = (u64::from(cut_off) * 10_000 + (1 << 29)) >> 30;
-        let (ones, rest) = (cut_off as u32 / 10_000, cut_off as u32 % 10_000);
-        println!("{}: {rays} rays, weight cut off {ones}.{rest:04}", S::NAME);
+        print(S::NAME, &report);
         Ok(self.keys.wait())
     }
+
+    /// Shows a row. Returns the request of a key if one is pressed. Linked once, not for each scene.
+    #[inline(never)]
+    fn show_row(
+        &mut self,
+        y: i32,
+        row: &[Gray4; ssd0323::WIDTH],
+    ) -> Result<Option<Request>, Error> {
+        self.display.show_row(y, row)?;
+        Ok(self.keys.pressed())
+    }
+}
+
+/// Reports a finished picture to the debugger.
+#[inline(never)]
+fn print(scene: &str, report: &Report) {
+    // Printed as whole numbers: formatting them costs a fraction of what other numbers cost.
+    let (rays, cut_off) = (report.rays as u32, report.cut_off.to_bits() as u32);
+    let cut_off = (u64::from(cut_off) * 10_000 + (1 << 29)) >> 30;
+    let (ones, rest) = (cut_off as u32 / 10_000, cut_off as u32 % 10_000);
+    println!("{scene}: {rays} rays, weight cut off {ones}.{rest:04}");
 }

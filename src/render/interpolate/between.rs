@@ -58,7 +58,7 @@ impl<W: World, K: Shading, Q: Quality, M: Marks> Colors<'_, '_, W, K, Q, M> {
     /// Traces each pixel between two traced ones.
     #[inline(always)]
     fn trace_all(&mut self, [first, last]: [u32; 2], ends: [&End; 2], sink: &mut impl Sink) {
-        if last - first >= SHORTEST {
+        if self.tracer.finds_balls() && last - first >= SHORTEST {
             let between = (&self.window, [first, last]);
             self.tracer.find_ball(between, hits(&self.stops, ends));
         }
