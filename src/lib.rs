@@ -114,11 +114,11 @@
 //!
 //! | profile | castle flash | castle instr/pixel | corner1 flash | corner1 instr/pixel |
 //! |---|--:|--:|--:|--:|
-//! | lto = true, codegen-units = 1 | 53092 | 1311 | 15632 | 220 |
-//! | Cargo's default release | 68496 | 1369 | 20796 | 254 |
-//! | lto = true, codegen-units = 1, opt-level = "s" | 51192 | 2320 | 17072 | 288 |
-//! | lto = true, codegen-units = 1, opt-level = "z" | 49288 | 3814 | 17020 | 472 |
-//! | Cargo's default dev (debug) | 648252 | 40360 | 598300 | 6338 |
+//! | lto = true, codegen-units = 1 | 52888 | 1292 | 15628 | 219 |
+//! | Cargo's default release | 70004 | 1341 | 20680 | 254 |
+//! | lto = true, codegen-units = 1, opt-level = "s" | 51224 | 2325 | 17088 | 288 |
+//! | lto = true, codegen-units = 1, opt-level = "z" | 49296 | 3836 | 17028 | 472 |
+//! | Cargo's default dev (debug) | 658820 | 40697 | 608864 | 6351 |
 //!
 //! Every profile draws the same picture. If flash is scarce, the quality [`Small`](quality::Small) saves
 //! more than an `opt-level`.
