@@ -20,8 +20,7 @@ pub(crate) struct Stretch<'a> {
     pub(crate) shape: ShapeId,
     /// What bounds the shape.
     pub(crate) body: Body<'a>,
-    /// Where all points of the shape lie that the stretch can show. `None` if they are not near, or if
-    /// nothing is hit.
+    /// Where all points that the stretch can show lie. `None` if they are not near, or if nothing is hit.
     pub(crate) chord: Option<Chord>,
     /// Where the rays start: the camera, or its image in a plane.
     pub(crate) eye: Point,
