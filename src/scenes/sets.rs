@@ -191,8 +191,7 @@ fn rows_of_crowded_scenes_miss_no_shape() {
     }
 }
 
-/// Returns a random position near the centre of a sphere: on each axis at most `share` times the radius
-/// away.
+/// Returns a random position near the centre of a sphere: on each axis at most `share` times the radius away.
 fn about<W: World>(world: &W, random: &mut Sweep, share: f64, sphere: usize) -> [f64; 3] {
     let (parts, aside) = (world.parts(), random.place());
     let (center, radius) = parts.spheres[sphere].ball();
