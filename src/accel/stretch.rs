@@ -22,7 +22,7 @@ pub(crate) struct Stretch<'a> {
     pub(crate) body: Body<'a>,
     /// Where all points that the stretch can show lie. `None` if they are not near, or if nothing is hit.
     pub(crate) chord: Option<Chord>,
-    /// Where the rays start: the camera, or its image in a plane.
+    /// The eye: the camera, or its image in the plane that mirrored the rays.
     pub(crate) eye: Point,
     /// The plane that mirrored the rays.
     pub(crate) mirror: Option<&'a PreparedPlane>,

@@ -94,6 +94,7 @@ impl<'a, W: World, K: Shading, Q: Quality> Tracer<'a, W, K, Q> {
             let plane = if W::NEEDS.plane_mirrors { parts.plane(skip) } else { None };
             match (pixel, bounce.count, plane) {
                 (Pixel::Center(_, column), 0, _) => {
+                    // No plane lies before a known ball.
                     if let Some(hit) = self.known_hit(ray) {
                         return hit;
                     }

@@ -1,5 +1,5 @@
-//! The ball that all of the camera's rays between two traced ones surely hit first. Mostly it is a mirror, behind which
-//! each path is traced. Where such a ray hits it is computed from the ball alone.
+//! The ball that all of the camera's rays between two traced ones surely hit first. These rays are tested against no other
+//! shape. It saves most where the ball is a mirror, because each pixel that shows one is traced.
 
 use super::origin::Origin;
 use super::stops::Stop;
@@ -47,13 +47,14 @@ impl<W: World, K: Shading, Q: Quality> Tracer<'_, W, K, Q> {
         self.known_ball != NO_BALL
     }
 
-    /// Searches all shapes again for what a ray hits first.
+    /// Forgets the ball: all shapes are tested again for what a ray hits first.
     #[inline(always)]
     pub(crate) fn forget_ball(&mut self) {
         self.known_ball = NO_BALL;
     }
 
-    /// Returns where a ray of the camera hits the known ball. `None` if none is known, or if rounding lets the ray pass by.
+    /// Returns the first hit of a camera's ray if it is on a known ball. `None` if no ball is known, or if the ray misses it
+    /// because of rounding; then all shapes have to be tested.
     #[inline(always)]
     pub(super) fn known_hit(&self, ray: &Ray) -> Option<Hit> {
         if !self.finds_balls() {
@@ -72,8 +73,8 @@ impl<W: World, K: Shading, Q: Quality> Tracer<'_, W, K, Q> {
     }
 }
 
-/// Returns the sphere that two paths hit first, from outside, and the line between the hits. Where the points between
-/// them lie is bounded by the whole sphere.
+/// Returns the sphere that two paths hit first, and the chord between the two hits. `None` if they hit another shape, two
+/// shapes, or the inside of one. The chord's bounds are those of the whole sphere, however much it turns between the hits.
 ///
 /// The sphere is convex, so all rays between the two hit it. Its points between lie in the triangle of the eye and both
 /// hits. No plane crosses a ray before its hit, so none crosses the triangle. Other shapes are tested as in an

@@ -19,7 +19,7 @@ pub(super) struct Origin<'a> {
 }
 
 impl<'a> Origin<'a> {
-    /// Returns where the camera's rays come from.
+    /// Returns the origin of the rays of a row, from the camera and the normal of the plane in which they lie.
     pub(super) fn camera((eye, row): (Point, Direction)) -> Self {
         Self {
             eye,

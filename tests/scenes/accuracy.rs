@@ -125,8 +125,8 @@ fn reflection_of_something_bright_is_not_cut_off() {
     assert!(missed.is_empty(), "{missed:#?}");
 }
 
-/// Floors that a low lamp lights, seen from just above at a wide angle: the height of the camera, how far ahead it
-/// looks, its field of view, the place of the lamp, and the strength and the shininess of highlights. Light and viewer are almost opposite in some pixels.
+/// Floors under a low lamp: the camera's height, how far ahead it looks, its field of view, the lamp's position, and the
+/// strength and the shininess of highlights. In some pixels, light and viewer are almost opposite.
 const LOW_LAMPS: [[f64; 8]; 4] = [
     [0.1, 0.34, 112.0, 0.0, 1.1, 0.27, 1.0, 30.0],
     [0.734, 1.73, 137.773, -0.047, 2.556, 0.115, 1.0, 2.752],

@@ -55,7 +55,8 @@ impl<W: World, K: Shading, Q: Quality, M: Marks> Colors<'_, '_, W, K, Q, M> {
         self.release(&start, outer);
     }
 
-    /// Traces each pixel between two traced ones.
+    /// Traces each pixel between two traced ones. If all of them surely show one ball first, their rays are tested against
+    /// that ball only.
     #[inline(always)]
     fn trace_all(&mut self, [first, last]: [u32; 2], ends: [&End; 2], sink: &mut impl Sink) {
         if self.tracer.finds_balls() && last - first >= SHORTEST {
