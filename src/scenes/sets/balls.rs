@@ -71,10 +71,13 @@ fn known_ball_is_the_one_that_rays_hit() {
     }
     assert!(known > 1000, "{known}");
     for round in 0..40 {
-        let scene = crowd::<10, 6>(&mut random);
-        let position = random.place().map(|x| 1.5 * x);
+        // A large ball, with small shapes and thin ones around it.
+        let (mut scene, glass) = described::<10, 6>(&mut random, (9, 6));
+        scene.add_sphere([0.0; 3], 0.5, glass).unwrap();
+        let position = random.place().map(|x| 3.0 * x);
         let camera = camera(&mut random, position);
-        known += known_balls(&scene.tabled(), &camera, &format!("crowd {round}"));
+        let name = format!("ball among shapes {round}");
+        known += known_balls(&scene.build().unwrap().tabled(), &camera, &name);
     }
     assert!(known > 1500, "{known}");
 }
