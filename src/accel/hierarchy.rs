@@ -19,23 +19,20 @@ mod build;
 pub(super) use build::{fill, has_mesh, is_useful};
 
 use super::World;
-use crate::number::{Length, high, to_u32};
+use crate::number::{Length, to_u32};
 use crate::qualities::Quality;
 use crate::ray::{REACH, Ray};
 use crate::scene::access::{SceneAccess, ShapeId};
 use crate::scene::nearest::{Hit, NOWHERE, nearest_of};
 use crate::shape::bounded::{Range, SURE};
-use crate::vector::Point;
+use crate::vector::{Girth, Point};
 
 /// A node of the hierarchy of balls that [`Tabled::with_hierarchy`](super::Tabled::with_hierarchy) makes.
 /// It takes 28 bytes.
 #[derive(Clone, Copy, Debug)]
 pub struct HierarchyNode {
     center: Point,
-    /// A quarter of the radius of the node's ball, in steps, rounded up; below 0.
-    behind: i32,
-    /// Square of the radius in 2³² squared steps, with a margin for the rounding of [`Self::is_passed_by`].
-    square: i32,
+    girth: Girth,
     /// The shapes of a leaf. Both are the same if it has one.
     shapes: [u16; 2],
     /// The leaf of the shape with this node's number, counted from the first leaf.
@@ -46,8 +43,7 @@ impl HierarchyNode {
     /// A node that is not used yet.
     pub const NONE: Self = Self {
         center: Point::ORIGIN,
-        behind: 0,
-        square: 0,
+        girth: Girth::of(0),
         shapes: [0; 2],
         leaf: 0,
     };
@@ -56,33 +52,17 @@ impl HierarchyNode {
     const fn around(center: Point, radius: i32) -> Self {
         Self {
             center,
-            behind: -(radius >> 2) - 1,
-            square: high(radius, radius) + MARGIN,
+            girth: Girth::of(radius),
             ..Self::NONE
         }
     }
 
-    /// Tests whether a ray surely misses the node's ball, as
-    /// [`passes_by`](crate::vector::Vector::passes_by) does. Takes the length along the ray in steps of
-    /// four, rounded down, which is the high word of the product.
+    /// Tests whether a ray surely misses the node's ball.
     #[inline(always)]
     fn is_passed_by(&self, ray: &Ray) -> bool {
-        let way = ray.origin.to(self.center);
-        let quarter = way.quarter_dot(ray.direction);
-        if quarter < self.behind {
-            return true;
-        }
-        let along = high(quarter << 2, quarter << 2);
-        (way.square() >> 32) as i32 - along - (along >> 24) > self.square
+        ray.origin.to(self.center).passes_by(ray.direction, self.girth)
     }
 }
-
-/// Margin of a node's square, in 2³² squared steps.
-///
-/// High words of three squares are rounded down: 1 for that of the node's way, which only makes the
-/// distance smaller; 1 for the radius. The length along the ray is up to 4 steps too small, and below 2³¹:
-/// so its square is too small by 8 · 2³¹ at most, which are 4; 1 more for rounding it down.
-const MARGIN: i32 = 8;
 
 /// A hierarchy of balls; without nodes if the scene has none.
 #[derive(Clone, Copy, Debug)]

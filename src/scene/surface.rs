@@ -153,13 +153,12 @@ impl<'a> Surface<'a> {
     /// Replaces a ray that hit the surface by the mirrored ray.
     #[inline(never)]
     pub(crate) fn reflect<W: SceneAccess>(&self, world: &W, path: &mut ScaledRay) {
-        let cosine = Unit::from_bits(-self.facing.to_bits());
-        let direction = self.view.reflected(self.normal, cosine);
-        // A curved surface's normal differs from length one by up to 2⁻¹⁶, or 2⁻¹⁴ far away. The
-        // mirrored direction is off by four times as much, so it is normalised again.
         let direction = match world.parts().bending_radius(self.shape) {
-            None => direction,
-            Some(_) => direction.renormalised(),
+            None => {
+                let cosine = Unit::from_bits(-self.facing.to_bits());
+                self.view.reflected(self.normal, cosine)
+            }
+            Some(_) => self.view.reflected_across(self.normal),
         };
         *path = ScaledRay::new(self.place, direction);
     }

@@ -104,6 +104,19 @@ impl Direction {
         ))
     }
 
+    /// Reflects the direction at a curved surface: `self` - 2 (`self` · n) n / (n · n), where n is `normal`. Its length
+    /// is within 2⁻¹³ of one, and has no part in the result.
+    ///
+    /// The length changes by a few last bits at most.
+    pub(crate) const fn reflected_across(self, normal: Self) -> Self {
+        // 1 - n · n in Q32.
+        let lack = narrowed(((1_i64 << 60) - signed_wide(normal.raw().square())) >> 28);
+        // 1 / (1 - lack) = 1 + lack + lack² + ...
+        let excess = lack + high(lack, lack);
+        let cosine = self.dot(normal).to_bits();
+        self.reflected(normal, Unit::from_bits(cosine + high(cosine, excess)))
+    }
+
     /// Rotates the direction towards `other`, which is perpendicular to it:
     /// `self` · cosine + `other` · sine.
     pub(crate) fn turned_towards(self, other: Self, (sine, cosine): (Unit, Unit)) -> Self {

@@ -18,9 +18,9 @@ const MOST: usize = 12;
 /// Upper bound on the rounding error of the squares in `Vector::passes_by`, the first test of a kernel.
 ///
 /// In units of 2³², the parts are: 24 for the length of a direction and the term that corrects it (2⁻²⁴
-/// and 2⁻²⁵ of a square below 2⁶⁰), 4 for the constant that the test adds because products are
-/// rounded down, and one for each of these products.
-const UNSURE: u64 = 32 << 32;
+/// and 2⁻²⁵ of a square below 2⁶⁰), 8 for the constant that the test adds, 4 for a quarter of the length along
+/// the ray, rounded down, and one for each product.
+const UNSURE: u64 = 40 << 32;
 
 impl<'a> Hierarchy<'a> {
     /// Returns the number of nodes for the bounded shapes of a scene; 0 if they are too few, or too many
