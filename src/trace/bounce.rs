@@ -88,7 +88,7 @@ impl<'a, W: World, K: Shading, Q: Quality> Tracer<'a, W, K, Q> {
         }
         let (world, ray, skip) = (self.world, &ray.ray, bounce.skip);
         let parts = world.parts();
-        let bounded = if !parts.has_bounded() {
+        let bounded = if !parts.has_bounded_beside(skip) {
             Hit::NONE
         } else {
             let plane = if W::NEEDS.plane_mirrors { parts.plane(skip) } else { None };

@@ -61,6 +61,7 @@ impl<W: World, K: Shading, Q: Quality> Tracer<'_, W, K, Q> {
             return None;
         }
         let sphere = self.world.parts().spheres.get(self.known_ball)?;
+        let ray = core::hint::black_box(ray);
         let range = Range {
             start: NOWHERE,
             reach: REACH,
