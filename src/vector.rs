@@ -6,6 +6,7 @@
 mod direction;
 mod position;
 
+pub(crate) use direction::Axis;
 pub use direction::Direction;
 pub use position::Position;
 pub(crate) use position::leading_shift;

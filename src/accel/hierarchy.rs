@@ -60,7 +60,9 @@ impl HierarchyNode {
     /// Tests whether a ray surely misses the node's ball.
     #[inline(always)]
     fn is_passed_by(&self, ray: &Ray) -> bool {
-        ray.origin.to(self.center).passes_by(ray.direction, self.girth)
+        ray.origin
+            .to(self.center)
+            .passes_by(ray.direction, self.girth)
     }
 }
 

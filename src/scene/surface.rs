@@ -153,12 +153,19 @@ impl<'a> Surface<'a> {
     /// Replaces a ray that hit the surface by the mirrored ray.
     #[inline(never)]
     pub(crate) fn reflect<W: SceneAccess>(&self, world: &W, path: &mut ScaledRay) {
-        let direction = match world.parts().bending_radius(self.shape) {
-            None => {
+        let parts = world.parts();
+        // More than one plane takes longer to tell apart than to reflect.
+        let axis = match parts.planes {
+            [only] if W::NEEDS.plane_mirrors && parts.is_plane(self.shape) => only.axis(),
+            _ => None,
+        };
+        let direction = match (axis, parts.bending_radius(self.shape)) {
+            (Some(axis), _) => self.view.reflected_along(axis),
+            (None, Some(_)) => self.view.reflected_across(self.normal),
+            (None, None) => {
                 let cosine = Unit::from_bits(-self.facing.to_bits());
                 self.view.reflected(self.normal, cosine)
             }
-            Some(_) => self.view.reflected_across(self.normal),
         };
         *path = ScaledRay::new(self.place, direction);
     }

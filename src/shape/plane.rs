@@ -11,7 +11,7 @@ use crate::error_kind::ErrorKind;
 use crate::grid::Grid;
 use crate::number::{Length, Unit, narrowed, narrowed_128, word_and_sign};
 use crate::ray::{Ray, ScaledPoint};
-use crate::vector::{Direction, Point, Position, Vector};
+use crate::vector::{Axis, Direction, Point, Position, Vector};
 
 /// Infinite plane as the user describes it.
 ///
@@ -92,14 +92,6 @@ enum Upright {
     No,
 }
 
-/// Coordinate axis to which a plane is perpendicular.
-#[derive(Clone, Copy, Debug)]
-enum Axis {
-    X,
-    Y,
-    Z,
-}
-
 impl Upright {
     /// Returns [`Self::Yes`] if the plane with this normal and offset is perpendicular to an axis and at most
     /// 2³⁰ steps from the middle of the scene. `offset` has 30 fraction bits.
@@ -168,6 +160,15 @@ impl PreparedPlane {
             far_scale,
             upright: Upright::new(normal, offset),
             material,
+        }
+    }
+
+    /// Returns the axis to which the plane is perpendicular, if there is one.
+    #[inline(always)]
+    pub(crate) const fn axis(&self) -> Option<Axis> {
+        match self.upright {
+            Upright::Yes { axis, .. } => Some(axis),
+            Upright::No => None,
         }
     }
 

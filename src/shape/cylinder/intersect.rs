@@ -19,7 +19,9 @@ impl PreparedCylinder {
     #[inline(always)]
     pub(crate) fn is_passed_by(&self, ray: &Ray) -> bool {
         let (center, radius) = self.ball();
-        ray.origin.to(center).passes_by(ray.direction, Girth::of(radius))
+        ray.origin
+            .to(center)
+            .passes_by(ray.direction, Girth::of(radius))
     }
 
     /// Tests whether the line of a ray surely misses the infinite cylinder. `sideways` is the distance
