@@ -95,7 +95,7 @@ pub struct Vector {
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Girth {
     /// A quarter of the radius, in steps, rounded up; below 0.
-    behind: i32,
+    pub(crate) behind: i32,
     /// Square of the radius in 2³² squared steps, with a margin for rounding.
     square: i32,
 }

@@ -159,13 +159,18 @@ impl<'a> Surface<'a> {
             [only] if W::NEEDS.plane_mirrors && parts.is_plane(self.shape) => only.axis(),
             _ => None,
         };
-        let direction = match (axis, parts.bending_radius(self.shape)) {
-            (Some(axis), _) => self.view.reflected_along(axis),
-            (None, Some(_)) => self.view.reflected_across(self.normal),
-            (None, None) => {
+        let direction = match axis {
+            Some(axis) => self.view.reflected_along(axis),
+            None => {
                 let cosine = Unit::from_bits(-self.facing.to_bits());
                 self.view.reflected(self.normal, cosine)
             }
+        };
+        // A curved surface's normal differs from length one by up to 2⁻¹⁶, or 2⁻¹⁴ far away. The
+        // mirrored direction is off by four times as much, so it is normalised again.
+        let direction = match parts.bending_radius(self.shape) {
+            None => direction,
+            Some(_) => direction.quickly_renormalised(),
         };
         *path = ScaledRay::new(self.place, direction);
     }

@@ -123,19 +123,6 @@ impl Direction {
         }
     }
 
-    /// Reflects the direction at a curved surface: `self` - 2 (`self` · n) n / (n · n), where n is `normal`. Its length
-    /// is within 2⁻¹³ of one, and has no part in the result.
-    ///
-    /// The length changes by a few last bits at most.
-    pub(crate) const fn reflected_across(self, normal: Self) -> Self {
-        // 1 - n · n in Q32.
-        let lack = narrowed(((1_i64 << 60) - signed_wide(normal.raw().square())) >> 28);
-        // 1 / (1 - lack) = 1 + lack + lack² + ...
-        let excess = lack + high(lack, lack);
-        let cosine = self.dot(normal).to_bits();
-        self.reflected(normal, Unit::from_bits(cosine + high(cosine, excess)))
-    }
-
     /// Rotates the direction towards `other`, which is perpendicular to it:
     /// `self` · cosine + `other` · sine.
     pub(crate) fn turned_towards(self, other: Self, (sine, cosine): (Unit, Unit)) -> Self {
@@ -193,6 +180,22 @@ impl Direction {
         // 1 / √(1 - 2 h) = 1 + h + 3 h² / 2 + ...
         let excess = lack + high(2 * lack, 3 * lack);
         Self::from_raw(self.raw().plus(self.nearest(excess)))
+    }
+
+    /// Corrects the length of the direction to one, as [`Self::renormalised`] does, but rounds coordinates down, which takes
+    /// half the instructions.
+    #[inline(always)]
+    pub(crate) const fn quickly_renormalised(self) -> Self {
+        // h = (1 - |d|²) / 2, in Q32.
+        let lack = narrowed(((1_i64 << 60) - signed_wide(self.raw().square())) >> 29);
+        // 1 / √(1 - 2 h) = 1 + h + 3 h² / 2 + ...
+        let excess = lack + high(lack, lack + (lack >> 1));
+        let Vector { x, y, z } = self.raw();
+        Self::from_raw(Vector::new(
+            x + high(excess, x),
+            y + high(excess, y),
+            z + high(excess, z),
+        ))
     }
 
     /// Returns the cross product, scaled so that its largest coordinate has 29 bits, and the shift of

@@ -110,11 +110,11 @@ fn renormalising_repairs_a_length() {
         // The step leaves 5/2 of the third power of the error, which is a third of the last bit, and the
         // rounding error.
         let [x, y, z] = spoilt;
-        let repaired = components(Direction { x, y, z }.renormalised());
-        assert!(
-            (length(repaired) - 1.0).abs() <= 4.0 * ULP,
-            "{wrong}: {direction:?}"
-        );
+        let spoilt = Direction { x, y, z };
+        for repaired in [spoilt.renormalised(), spoilt.quickly_renormalised()] {
+            let error = length(components(repaired)) - 1.0;
+            assert!(error.abs() <= 4.0 * ULP, "{wrong}: {direction:?}");
+        }
     }
 }
 
@@ -137,6 +137,22 @@ fn reflection_keeps_the_length_and_turns_the_cosine_around() {
         );
         let turned = reflected.dot(normal).to_bits() + cosine.to_bits();
         assert!(turned.abs() <= 12, "{turned}: {direction:?} {normal:?}");
+    }
+}
+
+#[test]
+fn reflection_along_an_axis_is_that_at_its_plane() {
+    let axes = [
+        (Axis::X, [1, 0, 0]),
+        (Axis::Y, [0, 1, 0]),
+        (Axis::Z, [0, 0, 1]),
+    ];
+    for direction in directions(5) {
+        for (axis, [x, y, z]) in axes {
+            let normal = Vector::new(x, y, z).precise_direction();
+            let at_the_plane = direction.reflected(normal, direction.dot(normal));
+            assert_eq!(direction.reflected_along(axis), at_the_plane, "{axis:?}");
+        }
     }
 }
 
