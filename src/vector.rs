@@ -6,7 +6,6 @@
 mod direction;
 mod position;
 
-pub(crate) use direction::Axis;
 pub use direction::Direction;
 pub use position::Position;
 pub(crate) use position::leading_shift;
@@ -89,31 +88,6 @@ pub struct Vector {
     pub y: i32,
     /// Component along the z axis, in raw steps.
     pub z: i32,
-}
-
-/// What [`Vector::passes_by`] asks of a ball.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Girth {
-    /// A quarter of the radius, in steps, rounded up; below 0.
-    pub(crate) behind: i32,
-    /// Square of the radius in 2³² squared steps, with a margin for rounding.
-    square: i32,
-}
-
-impl Girth {
-    /// Margin of the square. High words of squares are rounded down: 1 for that of the way to the ball, 1 for the radius.
-    /// The length along the ray is up to 4 steps too small, and below 2³¹: so its square is too small by 8 · 2³¹ at most,
-    /// which are 4; 1 more for rounding it down.
-    const MARGIN: i32 = 8;
-
-    /// Returns that of a ball of `radius` steps.
-    #[inline(always)]
-    pub(crate) const fn of(radius: i32) -> Self {
-        Self {
-            behind: !(radius >> 2),
-            square: high(radius, radius) + Self::MARGIN,
-        }
-    }
 }
 
 impl Vector {
@@ -215,17 +189,20 @@ impl Vector {
             + unsigned_wide(wide(self.z, self.z))
     }
 
-    /// Tests whether a ray in a direction surely misses a ball. This vector leads from the ray's origin to the ball's
-    /// centre. The ball is missed if the ray's line passes it or if it lies behind the origin. Allows for directions
-    /// within 2⁻²⁶ of length one.
+    /// Tests whether a ray in a direction surely misses a ball of `radius` steps. This vector leads from the ray's origin to
+    /// the ball's centre. The ball is missed if the ray's line passes it or if it lies behind the origin. Allows for
+    /// directions within 2⁻²⁶ of length one.
     #[inline(always)]
-    pub(crate) const fn passes_by(self, direction: Direction, girth: Girth) -> bool {
+    pub(crate) const fn passes_by(self, direction: Direction, radius: i32) -> bool {
         let quarter = self.quarter_dot(direction);
-        if quarter < girth.behind {
+        // A quarter of the radius, rounded up; below 0.
+        if quarter < !(radius >> 2) {
             return true;
         }
+        // The length along the ray is up to 4 steps too small, and below 2³¹: so its square is too small by 8 · 2³¹ at
+        // most, which are 4 high words. Each high word is rounded down by less than 1.
         let along = high(quarter << 2, quarter << 2);
-        (self.square() >> 32) as i32 - along - (along >> 24) > girth.square
+        (self.square() >> 32) as i32 - along - (along >> 24) > high(radius, radius) + 8
     }
 
     /// Subtracts the part of length `length` steps along `direction`. If `length` is the dot product

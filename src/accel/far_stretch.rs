@@ -12,7 +12,7 @@ use crate::scene::access::ShapeId;
 use crate::scene::shape_set::{SetLayout, ShapeSet};
 use crate::shape::bordered::{Bordered, square};
 use crate::shape::rays::SLACK;
-use crate::vector::{Direction, Girth, Point, Vector};
+use crate::vector::{Direction, Point, Vector};
 
 /// All rays from the points of a stretch to a far light: a strip between those of its two ends, as thick as the stretch
 /// bulges. A sun's rays are parallel, and those to a lamp come together.
@@ -59,7 +59,7 @@ impl<'a> Strip<'a> {
         let (center, radius) = shape.bounding_ball();
         let way = self.stretch.ends[0].point.to(center);
         let ([ahead, _], shift) = (self.towards, shift_of(self.scale));
-        let passes = |width| way.passes_by(ahead, Girth::of(radius + width));
+        let passes = |width| way.passes_by(ahead, radius + width);
         if self.width.is_some_and(passes) {
             return true;
         }

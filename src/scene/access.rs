@@ -101,12 +101,6 @@ macro_rules! parts {
                 $(!self.$list.is_empty())||*
             }
 
-            /// Tests whether the scene has a bounded shape besides `skip`.
-            #[inline(always)]
-            pub(crate) fn has_bounded_beside(&self, skip: ShapeId) -> bool {
-                self.bounded() > 1 || self.has_bounded() && skip != ShapeId::at(0)
-            }
-
             /// Returns the ball around the bounded shape with this number, and its material.
             pub(crate) const fn ball(&self, number: usize) -> Option<((Point, i32), MaterialId)> {
                 $(

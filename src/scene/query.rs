@@ -11,8 +11,9 @@ use crate::ray::{Ray, ScaledPoint, ScaledRay};
 use crate::shape::plane::NOT_MET;
 
 /// Returns the first hit of a ray: point and shape; `None` if nothing is hit. Skips the shape that the
-/// ray leaves.
-#[inline(always)]
+/// ray leaves. Out of line, away from the code of near hits.
+#[cold]
+#[inline(never)]
 pub(crate) fn nearest_hit<W: SceneAccess>(
     world: &W,
     ray: &ScaledRay,
@@ -91,17 +92,6 @@ pub(crate) fn located<W: SceneAccess, const PRECISE: bool>(
         }
     }
     // Unpacked and packed again, or the compiler keeps near hits in memory, too.
-    far_hit(world, ray, skip)
-}
-
-/// Returns the first hit of a ray that hits nothing near. Out of line, away from the code of near hits.
-#[cold]
-#[inline(never)]
-fn far_hit<W: SceneAccess>(
-    world: &W,
-    ray: &ScaledRay,
-    skip: ShapeId,
-) -> Option<(ScaledPoint, ShapeId)> {
     nearest_hit(world, ray, skip)
 }
 

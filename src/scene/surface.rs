@@ -154,17 +154,13 @@ impl<'a> Surface<'a> {
     #[inline(never)]
     pub(crate) fn reflect<W: SceneAccess>(&self, world: &W, path: &mut ScaledRay) {
         let parts = world.parts();
-        // More than one plane takes longer to tell apart than to reflect.
-        let axis = match parts.planes {
-            [only] if W::NEEDS.plane_mirrors && parts.is_plane(self.shape) => only.axis(),
-            _ => None,
-        };
-        let direction = match axis {
-            Some(axis) => self.view.reflected_along(axis),
-            None => {
-                let cosine = Unit::from_bits(-self.facing.to_bits());
-                self.view.reflected(self.normal, cosine)
+        let cosine = -self.facing;
+        let direction = match parts.planes {
+            // More than one plane takes longer to tell apart than to reflect.
+            [only] if W::NEEDS.plane_mirrors && parts.is_plane(self.shape) => {
+                only.reflected(self.view, self.normal, cosine)
             }
+            _ => self.view.reflected(self.normal, cosine),
         };
         // A curved surface's normal differs from length one by up to 2⁻¹⁶, or 2⁻¹⁴ far away. The
         // mirrored direction is off by four times as much, so it is normalised again.

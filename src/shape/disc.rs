@@ -13,7 +13,7 @@ use crate::error_kind::ErrorKind;
 use crate::grid::Grid;
 use crate::number::{Length, Number, ratio, unsigned, wide_unsigned};
 use crate::ray::Ray;
-use crate::vector::{Direction, Girth, Point, Position, Vector};
+use crate::vector::{Direction, Point, Position, Vector};
 
 /// Flat disc as the user describes it.
 ///
@@ -193,7 +193,7 @@ impl Bounded for PreparedDisc {
     #[inline(always)]
     fn intersect(&self, ray: &Ray, range: Range) -> Option<Length> {
         let from = self.seen_from(ray.origin);
-        if from.way.passes_by(ray.direction, Girth::of(self.radius)) {
+        if from.way.passes_by(ray.direction, self.radius) {
             None
         } else {
             self.met(&from, &ray.direction, range)

@@ -11,7 +11,7 @@ use crate::error_kind::ErrorKind;
 use crate::grid::Grid;
 use crate::number::{Length, Unit, narrowed, narrowed_128, word_and_sign};
 use crate::ray::{Ray, ScaledPoint};
-use crate::vector::{Axis, Direction, Point, Position, Vector};
+use crate::vector::{Direction, Point, Position, Vector};
 
 /// Infinite plane as the user describes it.
 ///
@@ -92,6 +92,14 @@ enum Upright {
     No,
 }
 
+/// Coordinate axis to which a plane is perpendicular.
+#[derive(Clone, Copy, Debug)]
+enum Axis {
+    X,
+    Y,
+    Z,
+}
+
 impl Upright {
     /// Returns [`Self::Yes`] if the plane with this normal and offset is perpendicular to an axis and at most
     /// 2³⁰ steps from the middle of the scene. `offset` has 30 fraction bits.
@@ -163,12 +171,15 @@ impl PreparedPlane {
         }
     }
 
-    /// Returns the axis to which the plane is perpendicular, if there is one.
+    /// Reflects a direction. `cosine` is that to `normal`, which is the plane's on one of its sides.
     #[inline(always)]
-    pub(crate) const fn axis(&self) -> Option<Axis> {
+    pub(crate) fn reflected(&self, way: Direction, normal: Direction, cosine: Unit) -> Direction {
+        let Direction { x, y, z } = way;
         match self.upright {
-            Upright::Yes { axis, .. } => Some(axis),
-            Upright::No => None,
+            Upright::Yes { axis: Axis::X, .. } => Direction { x: -x, ..way },
+            Upright::Yes { axis: Axis::Y, .. } => Direction { y: -y, ..way },
+            Upright::Yes { axis: Axis::Z, .. } => Direction { z: -z, ..way },
+            Upright::No => way.reflected(normal, cosine),
         }
     }
 

@@ -17,7 +17,7 @@ use crate::error_kind::ErrorKind;
 use crate::grid::Grid;
 use crate::number::{Length, Number, signed_wide, square_root, to_u8, unsigned_wide, wide};
 use crate::ray::{REACH, Ray};
-use crate::vector::{Direction, Girth, Point, Position, Vector};
+use crate::vector::{Direction, Point, Position, Vector};
 
 /// Sphere as the user describes it.
 ///
@@ -217,7 +217,7 @@ impl Bounded for PreparedSphere {
     #[inline(always)]
     fn intersect(&self, ray: &Ray, range: Range) -> Option<Length> {
         let way = ray.origin.to(self.center);
-        if way.passes_by(ray.direction, Girth::of(self.radius)) {
+        if way.passes_by(ray.direction, self.radius) {
             None
         } else {
             self.met(way, ray.direction, range)
@@ -245,7 +245,7 @@ impl Bounded for PreparedSphere {
     #[inline(always)]
     fn is_ahead(&self, ray: &Ray) -> bool {
         let way = ray.origin.to(self.center);
-        !way.passes_by(ray.direction, Girth::of(self.radius)) && self.blocks(ray, REACH)
+        !way.passes_by(ray.direction, self.radius) && self.blocks(ray, REACH)
     }
 
     #[inline(always)]

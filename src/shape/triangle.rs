@@ -18,7 +18,7 @@ use crate::error_kind::ErrorKind;
 use crate::grid::Grid;
 use crate::number::{Length, square_root, unsigned};
 use crate::ray::Ray;
-use crate::vector::{Direction, Girth, Point, Vector};
+use crate::vector::{Direction, Point, Vector};
 use smooth::Smooth;
 
 /// Triangle as the kernels read it: in raw steps, inside the ball that holds all bounded shapes.
@@ -180,7 +180,7 @@ impl Bounded for PreparedTriangle {
     #[inline(always)]
     fn intersect(&self, ray: &Ray, range: Range) -> Option<Length> {
         let way = ray.origin.to(self.center);
-        if way.passes_by(ray.direction, Girth::of(self.radius)) {
+        if way.passes_by(ray.direction, self.radius) {
             None
         } else {
             self.met(&self.seen_from(ray.origin), &ray.direction, range)

@@ -88,7 +88,8 @@ impl<'a, W: World, K: Shading, Q: Quality> Tracer<'a, W, K, Q> {
         }
         let (world, ray, skip) = (self.world, &ray.ray, bounce.skip);
         let parts = world.parts();
-        let bounded = if !parts.has_bounded_beside(skip) {
+        let is_alone = parts.bounded() == 1 && skip == ShapeId::at(0);
+        let bounded = if is_alone || !parts.has_bounded() {
             Hit::NONE
         } else {
             let plane = if W::NEEDS.plane_mirrors { parts.plane(skip) } else { None };

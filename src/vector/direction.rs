@@ -12,14 +12,6 @@ pub struct Direction {
     pub(crate) z: Unit,
 }
 
-/// Coordinate axis.
-#[derive(Clone, Copy, Debug)]
-pub(crate) enum Axis {
-    X,
-    Y,
-    Z,
-}
-
 impl Direction {
     /// Direction of the x axis.
     pub const X: Self = Self {
@@ -110,17 +102,6 @@ impl Direction {
             minus_wide(y, twice(cosine, normal.y)),
             minus_wide(z, twice(cosine, normal.z)),
         ))
-    }
-
-    /// Reflects the direction at a surface that is perpendicular to an axis.
-    pub(crate) fn reflected_along(self, axis: Axis) -> Self {
-        let Self { x, y, z } = self;
-        let turned = |it: Unit| Unit::from_bits(-it.to_bits());
-        match axis {
-            Axis::X => Self { x: turned(x), y, z },
-            Axis::Y => Self { x, y: turned(y), z },
-            Axis::Z => Self { x, y, z: turned(z) },
-        }
     }
 
     /// Rotates the direction towards `other`, which is perpendicular to it:

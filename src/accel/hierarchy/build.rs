@@ -108,9 +108,10 @@ pub(in crate::accel) const fn fill(parts: &Parts<'_>, nodes: &mut [HierarchyNode
         }
         let center = bounds.center();
         nodes[node] = HierarchyNode {
+            center,
+            radius: radius(parts, nodes, range, center),
             shapes: [shape_at(nodes, range.0), shape_at(nodes, range.1 - 1)],
             leaf: nodes[node].leaf,
-            ..HierarchyNode::around(center, radius(parts, nodes, range, center))
         };
         node += 1;
     }

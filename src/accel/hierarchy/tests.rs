@@ -225,7 +225,7 @@ fn balls_hold_those_below_them() {
         while node > 0 {
             let (center, radius) = sphere.ball();
             let (_, length) = center.to(nodes[node].center).direction_and_length();
-            assert!(length.to_bits() + radius <= -4 * nodes[node].girth.behind);
+            assert!(length.to_bits() + radius <= nodes[node].radius);
             node /= 2;
         }
     }

@@ -7,7 +7,7 @@ use crate::number::{
 };
 use crate::ray::Ray;
 use crate::shape::bounded::Range;
-use crate::vector::{Direction, Girth};
+use crate::vector::Direction;
 
 /// Square of the sine of the angle between ray and axis, Q2.30, below which a ray counts as almost
 /// parallel to the axis: 1/16. [`PreparedCylinder::met_steeply`] tests such rays: it normalises the
@@ -19,9 +19,7 @@ impl PreparedCylinder {
     #[inline(always)]
     pub(crate) fn is_passed_by(&self, ray: &Ray) -> bool {
         let (center, radius) = self.ball();
-        ray.origin
-            .to(center)
-            .passes_by(ray.direction, Girth::of(radius))
+        ray.origin.to(center).passes_by(ray.direction, radius)
     }
 
     /// Tests whether the line of a ray surely misses the infinite cylinder. `sideways` is the distance

@@ -170,7 +170,7 @@ fn sphere_that_is_met_is_left_out_by_nothing() {
     let (mut met, mut passed_by, mut left_out) = (0, 0, 0);
     for (sphere, ray) in pairs(10) {
         let way = ray.origin.to(sphere.center);
-        let passes_by = way.passes_by(ray.direction, Girth::of(sphere.radius));
+        let passes_by = way.passes_by(ray.direction, sphere.radius);
         let seen = sphere.seen_from_eye(ray.origin);
         let may_be_met = seen.may_be_met(ray.direction);
         passed_by += u32::from(passes_by);
