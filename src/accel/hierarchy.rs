@@ -22,7 +22,7 @@ use super::World;
 use crate::number::{Length, to_u32};
 use crate::qualities::Quality;
 use crate::ray::{REACH, Ray};
-use crate::scene::access::{SceneAccess, ShapeId};
+use crate::scene::access::ShapeId;
 use crate::scene::nearest::{Hit, NOWHERE, nearest_of};
 use crate::shape::bounded::{Range, SURE};
 use crate::vector::Point;
@@ -133,14 +133,7 @@ pub(super) fn nearest<W: World>(world: &W, ray: &Ray, (mirror, skip): (ShapeId, 
         }
         nearer >= -SURE && nearest.shape != id
     });
-    if is_close { of_all(world, ray, skip) } else { nearest }
-}
-
-/// Returns the nearest bounded hit of a ray as the plain path does.
-#[cold]
-#[inline(never)]
-fn of_all<W: SceneAccess>(world: &W, ray: &Ray, skip: ShapeId) -> Hit {
-    nearest_of(world, (ray, NOWHERE), skip)
+    if is_close { nearest_of(world, (ray, NOWHERE), skip) } else { nearest }
 }
 
 /// Tests whether rays of `Q` ask the hierarchy of a scene.

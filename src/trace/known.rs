@@ -61,6 +61,8 @@ impl<W: World, K: Shading, Q: Quality> Tracer<'_, W, K, Q> {
             return None;
         }
         let sphere = self.world.parts().spheres.get(self.known_ball)?;
+        // For the compiler another ray: it would keep the signs of this one, and each product after would take three
+        // instructions instead of one.
         let ray = core::hint::black_box(ray);
         let range = Range {
             start: NOWHERE,
