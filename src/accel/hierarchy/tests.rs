@@ -2,6 +2,7 @@ use super::*;
 use crate::accel::Scene;
 use crate::material::Material;
 use crate::number::sweep::Sweep;
+use crate::scene::access::SceneAccess;
 use crate::scene::nearest::any_blocks;
 use crate::scene::shape_set::ShapeSet;
 use crate::scene::{Room, RuntimeScene};
