@@ -114,11 +114,11 @@
 //!
 //! | profile | castle flash | castle instr/pixel | corner1 flash | corner1 instr/pixel |
 //! |---|--:|--:|--:|--:|
-//! | lto = true, codegen-units = 1 | 52888 | 1292 | 15628 | 219 |
-//! | Cargo's default release | 70004 | 1341 | 20680 | 254 |
-//! | lto = true, codegen-units = 1, opt-level = "s" | 51224 | 2325 | 17088 | 288 |
-//! | lto = true, codegen-units = 1, opt-level = "z" | 49296 | 3836 | 17028 | 472 |
-//! | Cargo's default dev (debug) | 658820 | 40697 | 608864 | 6351 |
+//! | lto = true, codegen-units = 1 | 52864 | 1292 | 15628 | 219 |
+//! | Cargo's default release | 70092 | 1337 | 20716 | 254 |
+//! | lto = true, codegen-units = 1, opt-level = "s" | 51232 | 2316 | 17088 | 288 |
+//! | lto = true, codegen-units = 1, opt-level = "z" | 49304 | 3837 | 17028 | 472 |
+//! | Cargo's default dev (debug) | 659188 | 40744 | 609236 | 6363 |
 //!
 //! Every profile draws the same picture. If flash is scarce, the quality [`Small`](quality::Small) saves
 //! more than an `opt-level`.

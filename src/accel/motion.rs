@@ -75,11 +75,11 @@ use crate::vector::Position;
 /// | core | scene | move | preparation | flash |
 /// |---|---|--:|--:|--:|
 /// | m0 | castle | 3690 | 346741 | 108.6 % |
-/// | m0 | mirror1 | 2881 | 52159 | 107.3 % |
-/// | m0 | primitives | 2701 | 20723 | 110.0 % |
+/// | m0 | mirror1 | 2881 | 52159 | 107.7 % |
+/// | m0 | primitives | 2701 | 20723 | 110.4 % |
 /// | m3 | castle | 2239 | 75000 | 110.3 % |
-/// | m3 | mirror1 | 1658 | 11641 | 111.6 % |
-/// | m3 | primitives | 1545 | 5066 | 112.5 % |
+/// | m3 | mirror1 | 1658 | 11641 | 111.4 % |
+/// | m3 | primitives | 1545 | 5066 | 112.6 % |
 #[derive(Debug)]
 pub struct MovingScene<T: StaticScene>(Scene<T::Room>);
 

@@ -304,6 +304,10 @@ fn plane_across_an_axis_is_asked_as_any_other() {
             (steps, sign, climb)
         });
         assert_eq!(found, truth, "{upright:?} {ray:?}");
+        let cosine = ray.direction.dot(normal);
+        let [turned, reflected] =
+            [upright, general].map(|plane| plane.reflected(ray.direction, normal, cosine));
+        assert_eq!(turned, reflected, "{upright:?} {ray:?}");
     }
 }
 

@@ -85,7 +85,6 @@ const RULES: [(&str, Rule); 38] = {
         ("reflet::scene::query::nearest_hit", Meets),
         ("reflet::scene::query::occluded", Is(Shadow)),
         ("reflet::scene::planes::near", Meets),
-        ("reflet::scene::query::far_hit", Meets),
         ("reflet::scene::far::between", Is(Shadow)),
         ("reflet::scene::surface::Surface::reflect", MirrorsRay),
         ("reflet::scene::surface", Is(Shading)),
