@@ -163,7 +163,7 @@ mod tests {
     use super::*;
 
     const MOST_CODE: usize = 20_265;
-    const MOST_OUTSIDE: usize = 37_592;
+    const MOST_OUTSIDE: usize = 37_591;
 
     /// Most lines of a file of the library without its tests.
     const LONGEST_FILE: usize = 300;

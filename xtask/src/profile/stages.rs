@@ -56,7 +56,7 @@ pub enum Rule {
 
 /// The rules of functions, by the beginning of the function's [`path`]. The first rule that matches
 /// counts. A function without a rule belongs to its caller's stage.
-const RULES: [(&str, Rule); 38] = {
+const RULES: [(&str, Rule); 37] = {
     use Rule::{AllIs, Is, MakesRay, Meets, MirrorsRay};
     use Stage::{Other, Output, Preparation, Shading, Shadow, Spans};
     [
