@@ -195,12 +195,12 @@ impl Vector {
     #[inline(always)]
     pub(crate) const fn passes_by(self, direction: Direction, radius: i32) -> bool {
         let quarter = self.quarter_dot(direction);
-        // A quarter of the radius, rounded up; below 0.
+        // Both in steps of four: the length along the ray is rounded down, the radius up.
         if quarter < !(radius >> 2) {
             return true;
         }
-        // The length along the ray is up to 4 steps too small, and below 2³¹: so its square is too small by 8 · 2³¹ at
-        // most, which are 4 high words. Each high word is rounded down by less than 1.
+        // That length is off by up to 4 steps and below 2³¹, so the high word of its square is off by up to 4. Rounding
+        // takes less than 1 off each high word.
         let along = high(quarter << 2, quarter << 2);
         (self.square() >> 32) as i32 - along - (along >> 24) > high(radius, radius) + 8
     }

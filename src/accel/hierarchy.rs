@@ -32,6 +32,7 @@ use crate::vector::Point;
 #[derive(Clone, Copy, Debug)]
 pub struct HierarchyNode {
     center: Point,
+    /// Radius of the node's ball, in steps.
     radius: i32,
     /// The shapes of a leaf. Both are the same if it has one.
     shapes: [u16; 2],

@@ -104,7 +104,7 @@ impl<W: SceneAccess, B: NeedsLimit> SceneAccess for Within<W, B> {
 /// A scene for which all code of the library is linked. Measurements use it to show what needs save.
 pub type Everything<'a, S> = Limited<'a, S, EveryNeed>;
 
-/// The limit of [`Everything`]: all that a scene can need, and all of it linked.
+/// The limit of [`Everything`]: the scene has every need, so all code is linked.
 #[derive(Debug)]
 pub struct EveryNeed;
 

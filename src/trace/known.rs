@@ -23,16 +23,16 @@ const MOST_SHAPES: usize = 16;
 pub(super) const NO_BALL: usize = usize::MAX;
 
 impl<W: World, K: Shading, Q: Quality> Tracer<'_, W, K, Q> {
-    /// Tests whether balls are looked for: where nothing is mirrored, most pixels are interpolated. The compiler knows it of
-    /// a constant scene.
+    /// Tests whether balls are looked for: in scenes with mirrors and few shapes. Without mirrors, most pixels are
+    /// interpolated. For a constant scene, this is a constant.
     #[inline(always)]
     pub(crate) fn finds_balls(&self) -> bool {
         let is_traced = Self::IS_INTERPOLATED && W::NEEDS.spheres && W::NEEDS.mirrored;
         is_traced && self.world.parts().bounded() <= MOST_SHAPES
     }
 
-    /// Finds the ball that all rays between two traced ones surely hit first, and returns whether there is one. Until
-    /// [`Tracer::forget_ball`] is called, only rays through the centres of pixels between the two may be traced.
+    /// Looks for the ball that all of the camera's rays between two traced ones surely hit first. Returns whether there is
+    /// one. Until [`Tracer::forget_ball`], only rays through the centres of pixels between the two may be traced.
     #[inline(never)]
     pub(crate) fn find_ball(&mut self, between: Between<'_>, ends: [&Stops; 2]) -> bool {
         self.known_ball = NO_BALL;
@@ -61,8 +61,8 @@ impl<W: World, K: Shading, Q: Quality> Tracer<'_, W, K, Q> {
             return None;
         }
         let sphere = self.world.parts().spheres.get(self.known_ball)?;
-        // For the compiler another ray: it would keep the signs of this one, and each product after would take three
-        // instructions instead of one.
+        // Hides from the compiler that it is the same ray. Else it keeps the direction's signs, and each later product
+        // takes three instructions instead of one.
         let ray = core::hint::black_box(ray);
         let range = Range {
             start: NOWHERE,

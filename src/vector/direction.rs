@@ -163,8 +163,8 @@ impl Direction {
         Self::from_raw(self.raw().plus(self.nearest(excess)))
     }
 
-    /// Corrects the length of the direction to one, as [`Self::renormalised`] does, but rounds coordinates down, which takes
-    /// half the instructions.
+    /// Does what [`Self::renormalised`] does in half the instructions: it rounds coordinates down. So even a direction of
+    /// length one may change in its last bit.
     #[inline(always)]
     pub(crate) const fn quickly_renormalised(self) -> Self {
         // h = (1 - |d|²) / 2, in Q32.
