@@ -7,15 +7,40 @@
 //! around. Where borders lie is not known here. So the bound is the largest over all parts into which a block may be
 //! divided.
 
+use std::{vec, vec::Vec};
+
 use super::{Stage, Vector, largest};
 
 /// Length of the shortest part of which it is found out what lies between; of a block of 8, it is half the block.
 /// Halves of a part are shorter.
 const SHORTEST: usize = 8;
 
+/// Returns, for each length of a part up to a block's and each column of a row that it starts in, a bound of the difference
+/// between a combination of colours in exact numbers and in fixed point: eight times the largest rounding error of
+/// the colours from one length before the part to one length after it.
+pub(super) fn slacks(row: &[&Stage], block: usize) -> Vec<Vec<f64>> {
+    let rounding = |column: usize| 8.0 * row[column.min(row.len() - 1)].rounding;
+    let mut slacks = vec![(0..row.len()).map(rounding).collect::<Vec<_>>()];
+    for length in 1..=block {
+        // What a shorter part has around it, and the columns that a longer one adds.
+        let widened = slacks[length - 1].iter().enumerate().map(|(start, most)| {
+            let end = start + 2 * length;
+            let added = [start.saturating_sub(length), end - 1, end].map(rounding);
+            added.into_iter().fold(*most, f64::max)
+        });
+        slacks.push(widened.collect());
+    }
+    slacks
+}
+
 /// Returns the largest interpolation error that the pixel in column `x` of a row may have, and
 /// whether rounding may decide what the paths around meet.
-pub(super) fn error(row: &[&Stage], x: usize, block: usize, tolerance: f64) -> (f64, bool) {
+pub(super) fn error(
+    (row, slacks): (&[&Stage], &[Vec<f64>]),
+    x: usize,
+    block: usize,
+    tolerance: f64,
+) -> (f64, bool) {
     let start = x - x % block.max(1);
     let end = (start + block).min(row.len() - 1);
     // Both ends of a block are traced.
@@ -29,12 +54,14 @@ pub(super) fn error(row: &[&Stage], x: usize, block: usize, tolerance: f64) -> (
         return (0.0, false);
     }
     let is_unsure = row[first..=last].iter().any(|it| it.is_unsure);
+    let colors: Vec<_> = row[..=last].iter().map(|it| it.color_in(row[x])).collect();
     let shortest = SHORTEST.min(block / 2);
     let mut worst: f64 = 0.0;
     for start in first..x {
         for end in (x + 1).max(start + shortest)..=last {
             let part = Part {
-                row,
+                colors: &colors,
+                slacks,
                 x,
                 start,
                 length: end - start,
@@ -60,7 +87,9 @@ impl Stage {
 
 /// A part of a block: the columns from one traced pixel to another. All its paths meet the same.
 struct Part<'a> {
-    row: &'a [&'a Stage],
+    /// The colours that the columns have in the cells of checkers that the asked column shows.
+    colors: &'a [Vector],
+    slacks: &'a [Vec<f64>],
     /// The column of which the error is asked.
     x: usize,
     start: usize,
@@ -91,14 +120,9 @@ impl Part<'_> {
         own.max(part.worst())
     }
 
-    /// Returns the colour that a column has in the cells of checkers that the asked column shows.
-    fn color(&self, column: usize) -> Vector {
-        self.row[column].color_in(self.row[self.x])
-    }
-
     /// Returns the colours at the start, in the middle and at the end.
     fn colors(&self) -> [Vector; 3] {
-        [0, self.length / 2, self.length].map(|place| self.color(self.start + place))
+        [0, self.length / 2, self.length].map(|place| self.colors[self.start + place])
     }
 
     /// Returns the slope up to the middle, and by how much the slope after it differs, for each column.
@@ -119,7 +143,7 @@ impl Part<'_> {
     /// Returns the largest error of the column if it is interpolated from this part, 0 if it cannot be.
     fn error(&self) -> f64 {
         let (x, [start, middle, end]) = (self.x, self.colors());
-        let miss = |color: Vector| largest(color - self.color(x)) + self.slack();
+        let miss = |color: Vector| largest(color - self.colors[x]) + self.slack();
         if self.length > 2 {
             let (way, half) = ((x - self.start) as f64, (self.length / 2) as f64);
             let [slope, change] = self.slopes();
@@ -130,7 +154,7 @@ impl Part<'_> {
             return if is_taken { miss(curve) } else { 0.0 };
         }
         let half_way = |bend: Vector| (start + end) * 0.5 - bend * 0.5;
-        debug_assert!(middle == self.color(x));
+        debug_assert!(middle == self.colors[x]);
         let is_even = self.allows(end - start, 3.0);
         let line = if is_even { miss(half_way(Vector::ZERO)) } else { 0.0 };
         match self.expected {
@@ -139,13 +163,9 @@ impl Part<'_> {
         }
     }
 
-    /// Returns a bound of the difference between a combination of colours in exact numbers and in fixed
-    /// point: eight times the largest rounding error of the colours around, and 2⁻¹⁶.
+    /// Returns the slack of the part, as [`slacks`] defines it, and 2⁻¹⁶ for the combination.
     fn slack(&self) -> f64 {
-        let first = self.start.saturating_sub(self.length);
-        let last = (self.start + 2 * self.length).min(self.row.len() - 1);
-        let rounding = self.row[first..=last].iter().map(|it| it.rounding);
-        8.0 * rounding.fold(0.0, f64::max) + f64::exp2(-16.0)
+        self.slacks[self.length][self.start] + f64::exp2(-16.0)
     }
 
     /// Tests whether fixed point may take `difference` for at most `tolerances` times the tolerance. It

@@ -206,19 +206,20 @@ impl Paths {
     pub fn bounds(&self, ending: &Ending) -> Vec<Bound> {
         let row = |row: &[Followed]| {
             let stages: Vec<&Stage> = row.iter().map(|path| self.ended(path, ending)).collect();
-            let bound = |x: u32| self.bound(&stages, x as usize, ending);
+            let slacks = between::slacks(&stages, ending.block as usize);
+            let bound = |x: u32| self.bound((&stages, &slacks), x as usize, ending);
             (0..self.width).map(bound).collect::<Vec<_>>()
         };
-        let rows = self.paths.chunks(self.width as usize);
-        rows.flat_map(row).collect()
+        let rows = self.paths.par_chunks(self.width as usize);
+        rows.flat_map_iter(row).collect()
     }
 
     fn ended<'a>(&self, path: &'a Followed, ending: &Ending) -> &'a Stage {
         path.ended(ending.reflections, ending.smallest_weight * self.dimness)
     }
 
-    fn bound(&self, row: &[&Stage], x: usize, ending: &Ending) -> Bound {
-        let own = row[x];
+    fn bound(&self, row: (&[&Stage], &[Vec<f64>]), x: usize, ending: &Ending) -> Bound {
+        let own = row.0[x];
         let (between, is_unsure) = between::error(row, x, ending.block as usize, ending.tolerance);
         Bound {
             truncation: own.weight * self.brightest,
