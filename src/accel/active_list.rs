@@ -13,8 +13,8 @@ use heapless::Vec;
 use super::screen_rect::ScreenRect;
 use crate::number::{difference_modulo_2_32, to_u16, to_u32};
 use crate::ray::{RowPlane, Span};
-use crate::scene::access::ShapeId;
 use crate::scene::nearest::Nearest;
+use crate::scene::shape_set::ShapeKind;
 use crate::shape::bordered::Bordered;
 use crate::vector::{Direction, Point};
 
@@ -198,13 +198,11 @@ impl<'a, K: Bordered, V: Storage<ActiveShape<'a, K>>> ActiveList<'a, K, V> {
     }
 
     /// Intersects a ray with the active shapes of its column, and keeps the nearest hit in `nearest`.
-    ///
-    /// `first` is the number of the first shape of this kind.
     #[inline(always)]
     pub(super) fn ask(
         &self,
         (column, direction): (u32, &Direction),
-        first: usize,
+        kind: ShapeKind,
         nearest: &mut Nearest,
     ) {
         // With an iterator, the compiler takes an instruction more for each shape on a Cortex-M3.
@@ -212,8 +210,7 @@ impl<'a, K: Bordered, V: Storage<ActiveShape<'a, K>>> ActiveList<'a, K, V> {
         while let [it, rest @ ..] = active {
             active = rest;
             if it.has_column(column) {
-                let id = ShapeId::at(first + usize::from(it.index));
-                nearest.ask_from(it.shape, &it.from, direction, id);
+                nearest.ask_from(it.shape, &it.from, direction, kind.id(it.index.into()));
             }
         }
     }

@@ -146,15 +146,12 @@ macro_rules! active_lists {
                 (direction, start): (&Direction, Length),
             ) -> Hit {
                 let mut nearest = Nearest::beyond(start);
-                let lengths = world.parts().lengths();
-                let (kind, first) = (0, 0);
+                let [$($list),*] = world.parts().kinds();
                 $(
                     if W::NEEDS.$list {
-                        self.$list.ask((column, direction), first, &mut nearest);
+                        self.$list.ask((column, direction), $list, &mut nearest);
                     }
-                    let (kind, first) = (kind + 1, first + lengths[kind]);
                 )*
-                let _ = (kind, first);
                 nearest.hit()
             }
         }

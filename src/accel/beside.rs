@@ -9,8 +9,8 @@ use super::World;
 use super::screen_bounds::Rects;
 use super::screen_rect::ScreenRect;
 use crate::number::to_u16;
-use crate::scene::access::{KINDS, ShapeId};
-use crate::scene::shape_set::{SetLayout, ShapeSet};
+use crate::scene::access::ShapeId;
+use crate::scene::shape_set::{ShapeKind, ShapeSet};
 use crate::scene::used;
 
 /// Number of columns of a part of a row, as a power of two.
@@ -73,16 +73,14 @@ macro_rules! beside {
         #[inline(never)]
         fn reaching<W: World>(world: &W, rects: &Rects<W::Room>, part: Part) -> ShapeSet {
             let mut set = ShapeSet::NONE;
-            let lengths = world.parts().lengths();
-            let kind = 0;
+            let parts = world.parts();
+            let [$($list),*] = parts.kinds();
             $(
                 if W::NEEDS.$list {
-                    let rects = used(rects.$list.as_ref(), lengths[kind]);
-                    add(&mut set, (kind, lengths), rects, part);
+                    let rects = used(rects.$list.as_ref(), parts.$list.len());
+                    add(&mut set, $list, rects, part);
                 }
-                let kind = kind + 1;
             )*
-            let _ = kind;
             set
         }
     };
@@ -91,13 +89,7 @@ kinds!(beside);
 
 /// Adds to a set the shapes of one kind whose rectangles reach into a part of a row.
 #[inline(always)]
-fn add(
-    set: &mut ShapeSet,
-    (kind, lengths): (usize, [usize; KINDS]),
-    rects: &[ScreenRect],
-    part: Part,
-) {
-    let layout = SetLayout::new(lengths);
+fn add(set: &mut ShapeSet, kind: ShapeKind, rects: &[ScreenRect], part: Part) {
     let first = to_u16(part.number << PART);
     let last = first | ((1 << PART) - 1);
     for rect in rects {
@@ -105,7 +97,7 @@ fn add(
             break;
         }
         if rect.right >= first && rect.has_row(part.y) {
-            *set = set.with(ShapeSet::of(layout.bit(kind, rect.shape())));
+            *set = set.with(kind.set_of(rect.shape()));
         }
     }
 }

@@ -8,8 +8,7 @@ use super::light_stretch::LitStretch;
 use super::stretch::is_off;
 use crate::number::{Length, Unit};
 use crate::ray::{Ray, ScaledPoint, shift_of};
-use crate::scene::access::ShapeId;
-use crate::scene::shape_set::{SetLayout, ShapeSet};
+use crate::scene::shape_set::ShapeSet;
 use crate::shape::bordered::{Bordered, square};
 use crate::shape::rays::SLACK;
 use crate::vector::{Direction, Point, Vector};
@@ -162,25 +161,21 @@ macro_rules! far_lights {
         ) -> Option<bool> {
             let strip = Strip::new(stretch, towards);
             let (parts, mut unsure) = (world.parts(), ShapeSet::NONE);
-            let lengths = parts.lengths();
-            let (kind, first) = (0, 0);
+            let [$($list),*] = parts.kinds();
             $(
-                let is_hidden = suspects.any(true, (kind, lengths), parts.$list, |index, shape| {
+                let is_hidden = suspects.any(true, $list, parts.$list, |index, shape| {
                     // A convex surface hides no part of itself that faces the light.
-                    let is_own = stretch.shape == ShapeId::at(first + index);
+                    let is_own = stretch.shape == $list.id(index);
                     if is_own && !stretch.is_hollow || strip.misses(shape) {
                         return false;
                     }
-                    let bit = SetLayout::new(lengths).bit(kind, index);
-                    unsure = unsure.with(ShapeSet::of(bit));
+                    unsure = unsure.with($list.set_of(index));
                     !is_own && strip.is_hidden_by(shape)
                 });
                 if is_hidden {
                     return Some(false);
                 }
-                let (kind, first) = (kind + 1, first + lengths[kind]);
             )*
-            let _ = (kind, first);
             *suspects = unsure;
             (unsure == ShapeSet::NONE).then_some(true)
         }

@@ -119,7 +119,7 @@ macro_rules! light_occluders {
                 direction: ray.direction,
             };
             world.tables().hierarchy.any(&line, surface.shape, |index| {
-                let own = own(surface, index);
+                let own = own(surface, ShapeId::at(index));
                 $(
                     if let Some((shape, from)) = parts.$list.get(index).zip(light.$list.as_ref().get(index)) {
                         return shape.occludes::<PRECISE>(from, ray, own);
@@ -142,29 +142,26 @@ macro_rules! light_occluders {
             ray: &LightRay,
         ) -> bool {
             let parts = world.parts();
-            let lengths = parts.lengths();
-            let (kind, first) = (0, 0);
+            let [$($list),*] = parts.kinds();
             $(
                 let from = light.$list.as_ref();
-                if set.any(W::NEEDS.sets, (kind, lengths), parts.$list, |index, shape| {
+                if set.any(W::NEEDS.sets, $list, parts.$list, |index, shape| {
                     let from = from.get(index);
-                    from.is_some_and(|from| shape.occludes::<PRECISE>(from, ray, own(surface, first + index)))
+                    from.is_some_and(|from| shape.occludes::<PRECISE>(from, ray, own(surface, $list.id(index))))
                 }) {
                     return true;
                 }
-                let (kind, first) = (kind + 1, first + lengths[kind]);
             )*
-            let _ = (kind, first);
             false
         }
     };
 }
 kinds!(light_occluders);
 
-/// Returns whether the surface is that of the bounded shape with this number.
+/// Returns whether the surface is that of the bounded shape `shape`.
 #[inline(always)]
-fn own(surface: &Surface<'_>, number: usize) -> Own {
-    if surface.shape != ShapeId::at(number) {
+fn own(surface: &Surface<'_>, shape: ShapeId) -> Own {
+    if surface.shape != shape {
         Own::No
     } else if surface.is_inside {
         Own::Inside

@@ -168,11 +168,11 @@ macro_rules! any_hides {
             // A ray that is shorter than a sphere's tangents may end inside of it, so lengths tell nothing.
             sight.spread.most = i32::MAX;
             let parts = world.parts();
-            let first = 0;
+            let [$($list),*] = parts.kinds();
             $(
                 let is_clear = parts.$list.iter().enumerate().all(|(index, shape)| {
                     let (center, radius) = shape.bounding_ball();
-                    stretch.shape == ShapeId::at(first + index)
+                    stretch.shape == $list.id(index)
                         || sight.fan().is_some_and(|fan| fan.avoids_ball(eye.to(center), radius))
                         || {
                             let from = shape.seen_from_light(eye);
@@ -183,9 +183,7 @@ macro_rules! any_hides {
                 if !is_clear {
                     return false;
                 }
-                let first = first + parts.$list.len();
             )*
-            let _ = first;
             !stretch.is_hollow
         }
 
@@ -198,19 +196,16 @@ macro_rules! any_hides {
             found: &mut Found<'_>,
         ) -> bool {
             let parts = world.parts();
-            let lengths = parts.lengths();
-            let (kind, first) = (0, 0);
+            let [$($list),*] = parts.kinds();
             $(
                 let from = light.$list();
-                if set.any(W::NEEDS.sets, (kind, lengths), parts.$list, |index, shape| {
-                    let is_own = found.stretch.shape == ShapeId::at(first + index);
+                if set.any(W::NEEDS.sets, $list, parts.$list, |index, shape| {
+                    let is_own = found.stretch.shape == $list.id(index);
                     from.get(index).is_some_and(|from| found.ask(shape, from, is_own))
                 }) {
                     return true;
                 }
-                let (kind, first) = (kind + 1, first + lengths[kind]);
             )*
-            let _ = (kind, first);
             false
         }
     };

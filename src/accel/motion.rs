@@ -12,7 +12,6 @@ use crate::error_kind::ErrorKind;
 use crate::light::Light;
 use crate::number::Number;
 use crate::scene::access::SceneAccess;
-use crate::scene::shape_set::{SetLayout, ShapeSet};
 use crate::scene::{Capacity, Handle, Needs, Parts, used};
 use crate::shape::{Corners, MaterialId, Normals};
 use crate::vector::Position;
@@ -182,9 +181,9 @@ macro_rules! motion {
 
             /// Tests whether the constant scene lets the shape of this kind and index move.
             fn moves(name: &str, index: usize) -> bool {
-                let layout = SetLayout::new(T::PARTS.lengths());
-                let kind = [$(stringify!($kind)),*].iter().position(|it| *it == name);
-                kind.is_some_and(|kind| T::PARTS.moving.meets(ShapeSet::of(layout.bit(kind, index))))
+                let kinds = T::PARTS.kinds();
+                let mut named = [$(stringify!($kind)),*].into_iter().zip(kinds);
+                named.any(|(it, kind)| it == name && T::PARTS.moving.meets(kind.set_of(index)))
             }
         }
 

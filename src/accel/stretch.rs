@@ -8,6 +8,7 @@ use super::active_lists::{ActiveLists, ActiveRoom, Tested};
 use crate::number::{Length, root_of_square};
 use crate::ray::{ANY_COLUMN, Span};
 use crate::scene::access::{SceneAccess, ShapeId};
+use crate::scene::shape_set::ShapeKind;
 use crate::shape::bordered::{Ball, Bordered};
 use crate::shape::plane::PreparedPlane;
 use crate::vector::{Direction, Point, Vector};
@@ -167,32 +168,26 @@ macro_rules! keep {
                 if self.tested == Tested::All {
                     return Err(None);
                 }
-                let lengths = world.parts().lengths();
-                let (kind, first) = (0, 0);
+                let [$($list),*] = world.parts().kinds();
                 $(
                     if W::NEEDS.$list {
-                        self.$list.keeps::<W>(first, stretch)?;
+                        self.$list.keeps::<W>($list, stretch)?;
                     }
-                    let (kind, first) = (kind + 1, first + lengths[kind]);
                 )*
-                let _ = (kind, first);
                 Ok(())
             }
 
             /// Returns the first and the last column in which rays can hit a shape. `None` if it is not active.
             #[inline(never)]
             fn columns_of<W: SceneAccess>(&self, world: &W, shape: ShapeId) -> Option<[u32; 2]> {
-                let lengths = world.parts().lengths();
-                let (kind, first) = (0, 0);
+                let [$($list),*] = world.parts().kinds();
                 $(
                     if W::NEEDS.$list {
-                        if let Some(columns) = self.$list.columns_of(first, shape) {
+                        if let Some(columns) = self.$list.columns_of($list, shape) {
                             return Some(columns);
                         }
                     }
-                    let (kind, first) = (kind + 1, first + lengths[kind]);
                 )*
-                let _ = (kind, first);
                 None
             }
         }
@@ -221,23 +216,22 @@ impl<R: ActiveRoom> ActiveLists<'_, R> {
 
 impl<'a, K: Bordered, V: Storage<ActiveShape<'a, K>>> ActiveList<'a, K, V> {
     /// Returns the first and the last column in which rays can hit a shape. `None` if it is not active, or of another
-    /// kind. `first` is the number of the first shape of this kind.
-    fn columns_of(&self, first: usize, shape: ShapeId) -> Option<[u32; 2]> {
-        let index = shape.index().checked_sub(first)?;
+    /// kind.
+    fn columns_of(&self, kind: ShapeKind, shape: ShapeId) -> Option<[u32; 2]> {
+        let index = kind.index_of(shape)?;
         let mut active = self.active.as_ref().iter();
         let found = active.find(|it| usize::from(it.index) == index)?;
         Some([found.span.first.into(), found.span.last.into()])
     }
 
-    /// Tests whether no shape of this kind comes to the front in a stretch. `first` is the number of the
-    /// first shape of this kind. If one may, returns a border of it as [`ActiveLists::keep`] does.
+    /// Tests whether no shape of this kind comes to the front in a stretch. If one may, returns a border of it as [`ActiveLists::keep`] does.
     #[inline(always)]
     fn keeps<W: SceneAccess>(
         &self,
-        first: usize,
+        kind: ShapeKind,
         stretch: &Stretch<'_>,
     ) -> Result<(), Option<u32>> {
-        let id = |it: &ActiveShape<'_, K>| ShapeId::at(first + usize::from(it.index));
+        let id = |it: &ActiveShape<'_, K>| kind.id(it.index.into());
         let mut active = self.active.as_ref().iter();
         match active.find(|it| !it.is_kept::<W>(id(it), stretch)) {
             None => Ok(()),

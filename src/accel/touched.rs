@@ -36,14 +36,12 @@ macro_rules! bounded_shapes {
         impl Parts<'_> {
             /// Returns the number of a shape, given its kind and its index among those of its kind.
             pub(crate) fn shape_of<T: BoundedShape>(&self, index: usize) -> Option<ShapeId> {
-                let first = 0;
+                let [$($list),*] = self.kinds();
                 $(
                     if T::KIND == stringify!($kind) {
-                        return (index < self.$list.len()).then(|| ShapeId::at(first + index));
+                        return (index < self.$list.len()).then(|| $list.id(index));
                     }
-                    let first = first + self.$list.len();
                 )*
-                let _ = first;
                 None
             }
         }

@@ -6,7 +6,6 @@
 use super::Description;
 use super::capacity::{Capacity, Room};
 use super::prepare::PlainScene;
-use super::shape_set::{SetLayout, ShapeSet};
 use crate::error::Error;
 use crate::error_kind::ErrorKind;
 use crate::shape::Extent;
@@ -58,21 +57,18 @@ macro_rules! motion {
                 moving: &[Option<(&'static str, usize)>],
                 described: &Description<'_>,
             ) -> Self {
-                let layout = SetLayout::new(self.constant_parts().lengths());
+                let [$($list),*] = self.constant_parts().kinds();
                 let mut number = 0;
                 while number < moving.len() {
                     if let Some((name, index)) = moving[number] {
-                        let kind = 0;
                         $(
                             if super::capacity::is_same(name, stringify!($kind)) && index < $room {
                                 if !self.is_in_motion_box(&described.$list[index].extent()) {
                                     Error::at(name, index, ErrorKind::Motion).stop();
                                 }
-                                self.moving = self.moving.with(ShapeSet::of(layout.bit(kind, index)));
+                                self.moving = self.moving.with($list.set_of(index));
                             }
-                            let kind = kind + 1;
                         )*
-                        let _ = kind;
                     }
                     number += 1;
                 }

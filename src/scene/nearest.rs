@@ -60,14 +60,12 @@ macro_rules! questions {
         ) -> Hit {
             let mut nearest = Nearest::beyond(start);
             let parts = world.parts();
-            let first = 0;
+            let [$($list),*] = parts.kinds();
             $(
                 for (index, shape) in parts.$list.iter().enumerate() {
-                    nearest.ask(shape, ray, ShapeId::at(first + index), skip);
+                    nearest.ask(shape, ray, $list.id(index), skip);
                 }
-                let first = first + parts.$list.len();
             )*
-            let _ = first;
             nearest.hit()
         }
 
@@ -81,15 +79,12 @@ macro_rules! questions {
         ) -> Hit {
             let mut nearest = Nearest::beyond(NOWHERE);
             let parts = world.parts();
-            let lengths = parts.lengths();
-            let (kind, first) = (0, 0);
+            let [$($list),*] = parts.kinds();
             $(
-                candidates.each((kind, lengths), parts.$list, |index, shape| {
-                    nearest.ask(shape, ray, ShapeId::at(first + index), skip);
+                candidates.each($list, parts.$list, |index, shape| {
+                    nearest.ask(shape, ray, $list.id(index), skip);
                 });
-                let (kind, first) = (kind + 1, first + lengths[kind]);
             )*
-            let _ = (kind, first);
             nearest.hit()
         }
 
@@ -104,17 +99,14 @@ macro_rules! questions {
             reach: Length,
         ) -> bool {
             let parts = world.parts();
-            let lengths = parts.lengths();
-            let (kind, first) = (0, 0);
+            let [$($list),*] = parts.kinds();
             $(
-                if candidates.any(W::NEEDS.sets, (kind, lengths), parts.$list, |index, shape| {
-                    ShapeId::at(first + index) != skip && shape.blocks(ray, reach)
+                if candidates.any(W::NEEDS.sets, $list, parts.$list, |index, shape| {
+                    $list.id(index) != skip && shape.blocks(ray, reach)
                 }) {
                     return true;
                 }
-                let (kind, first) = (kind + 1, first + lengths[kind]);
             )*
-            let _ = (kind, first);
             false
         }
 
@@ -123,16 +115,14 @@ macro_rules! questions {
         #[inline(always)]
         pub(crate) fn any_ahead<W: SceneAccess>(world: &W, ray: &Ray, skip: ShapeId) -> bool {
             let parts = world.parts();
-            let first = 0;
+            let [$($list),*] = parts.kinds();
             $(
                 if parts.$list.iter().enumerate().any(|(index, shape)| {
-                    ShapeId::at(first + index) != skip && shape.is_ahead(ray)
+                    $list.id(index) != skip && shape.is_ahead(ray)
                 }) {
                     return true;
                 }
-                let first = first + parts.$list.len();
             )*
-            let _ = first;
             false
         }
     };

@@ -4,7 +4,7 @@
 //! If a scene has more shapes than bits, a bit stands for a run of consecutive shapes. A set may hold
 //! more shapes than a ray can hit, never fewer. So a set changes how long a ray takes, not what it shows.
 
-use super::access::KINDS;
+use super::access::{KINDS, Parts, ShapeId};
 use crate::number::{low_word, to_u32};
 
 /// Largest number of bounded shapes of which each has a bit of its own.
@@ -20,11 +20,6 @@ impl ShapeSet {
 
     /// The set of all shapes.
     pub(crate) const ALL: &'static Self = &Self(u64::MAX);
-
-    /// Returns the set of the one run with this bit.
-    pub(crate) const fn of(bit: usize) -> Self {
-        Self(1 << (bit % 64))
-    }
 
     /// Returns the union of two sets.
     pub(crate) const fn with(self, other: Self) -> Self {
@@ -51,12 +46,12 @@ impl ShapeSet {
     #[inline(always)]
     pub(crate) fn each<'a, T>(
         &self,
-        (kind, lengths): (usize, [usize; KINDS]),
+        kind: ShapeKind,
         shapes: &'a [T],
         mut call: impl FnMut(usize, &'a T),
     ) {
-        let layout = SetLayout::new(lengths);
-        let mut rest = self.bits(&layout, kind);
+        let layout = SetLayout::new(kind.lengths);
+        let mut rest = self.bits(&layout, kind.place);
         while rest != 0 {
             let run = rest.trailing_zeros() as usize * layout.run;
             rest &= rest - 1;
@@ -80,13 +75,12 @@ impl ShapeSet {
     /// Calls `ask` for each shape of one kind in the set, in ascending order, until it returns `true`.
     /// Returns whether it did. Goes through the bits a word at a time.
     ///
-    /// `lengths` are the numbers of shapes of all kinds, `kind` is the index of this kind, `shapes` are
-    /// its shapes. If `is_chosen` is `false`, all shapes are tested and the set is ignored.
+    /// `shapes` are the shapes of the kind. If `is_chosen` is `false`, all shapes are tested and the set is ignored.
     #[inline(always)]
     pub(crate) fn any<'a, T>(
         &self,
         is_chosen: bool,
-        (kind, lengths): (usize, [usize; KINDS]),
+        kind: ShapeKind,
         shapes: &'a [T],
         mut ask: impl FnMut(usize, &'a T) -> bool,
     ) -> bool {
@@ -100,8 +94,8 @@ impl ShapeSet {
             }
             return false;
         }
-        let layout = SetLayout::new(lengths);
-        let bits = self.bits(&layout, kind);
+        let layout = SetLayout::new(kind.lengths);
+        let bits = self.bits(&layout, kind.place);
         for (mut rest, first) in [(low_word(bits), 0), (low_word(bits >> 32), 32)] {
             while rest != 0 {
                 let run = first + rest.trailing_zeros() as usize;
@@ -120,10 +114,74 @@ impl ShapeSet {
     }
 }
 
+/// A bounded kind of shapes among all kinds of a scene.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct ShapeKind {
+    /// Its place in the list of kinds.
+    place: usize,
+    /// Number of its first shape.
+    first: usize,
+    /// Numbers of shapes of all kinds.
+    lengths: [usize; KINDS],
+}
+
+impl ShapeKind {
+    /// Returns the number of a shape. `index` counts the shapes of this kind.
+    #[inline(always)]
+    pub(crate) const fn id(self, index: usize) -> ShapeId {
+        ShapeId::at(self.first + index)
+    }
+
+    /// Returns the index of the shape with this number among the shapes of this kind, if it does not come before them.
+    pub(crate) fn index_of(self, shape: ShapeId) -> Option<usize> {
+        shape.index().checked_sub(self.first)
+    }
+
+    /// Returns the set that holds a shape. `index` counts the shapes of this kind.
+    #[inline(always)]
+    pub(crate) const fn set_of(self, index: usize) -> ShapeSet {
+        SetLayout::new(self.lengths).set_of(self.place, index)
+    }
+}
+
+macro_rules! shape_kinds {
+    ($header:tt $({ $list:ident $($more:tt)* })*) => {
+        impl Parts<'_> {
+            /// Returns the bounded kinds, in the order of their list.
+            #[inline(always)]
+            pub(crate) const fn kinds(&self) -> [ShapeKind; KINDS] {
+                let lengths = self.lengths();
+                let (place, first) = (0, 0);
+                $(
+                    let $list = ShapeKind { place, first, lengths };
+                    let (place, first) = (place + 1, first + self.$list.len());
+                )*
+                let _ = (place, first);
+                [$($list),*]
+            }
+        }
+    };
+}
+kinds!(shape_kinds);
+
+impl Parts<'_> {
+    /// Returns the set that holds the bounded shape with this number.
+    #[inline(always)]
+    pub(crate) const fn set_of(&self, number: usize) -> ShapeSet {
+        let lengths = self.lengths();
+        let (mut kind, mut index) = (0, number);
+        while kind + 1 < KINDS && index >= lengths[kind] {
+            index -= lengths[kind];
+            kind += 1;
+        }
+        SetLayout::new(lengths).set_of(kind, index)
+    }
+}
+
 /// Assigns bits of a [`ShapeSet`] to the shapes of a scene: kind after kind from the lowest bit on.
 /// Each bit stands for the same number of shapes.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct SetLayout {
+struct SetLayout {
     /// Number of consecutive shapes that one bit stands for.
     run: usize,
     /// First bit of each kind, then the bit after the last.
@@ -133,7 +191,7 @@ pub(crate) struct SetLayout {
 impl SetLayout {
     /// Returns the layout of a scene with these numbers of shapes of each kind.
     #[inline(always)]
-    pub(crate) const fn new(lengths: [usize; KINDS]) -> Self {
+    const fn new(lengths: [usize; KINDS]) -> Self {
         let (mut total, mut kind) = (0, 0);
         while kind < KINDS {
             total += lengths[kind];
@@ -150,18 +208,8 @@ impl SetLayout {
         Self { run, starts }
     }
 
-    /// Returns the bit of a shape. `index` counts the shapes of its kind.
-    pub(crate) const fn bit(self, kind: usize, index: usize) -> usize {
-        self.starts[kind] + index / self.run
-    }
-
-    /// Returns the bit of a bounded shape. `number` counts the shapes of all kinds.
-    pub(crate) const fn bit_of(self, lengths: [usize; KINDS], number: usize) -> usize {
-        let (mut kind, mut index) = (0, number);
-        while kind + 1 < KINDS && index >= lengths[kind] {
-            index -= lengths[kind];
-            kind += 1;
-        }
-        self.bit(kind, index)
+    /// Returns the set of the run that holds a shape. `index` counts the shapes of its kind.
+    const fn set_of(self, kind: usize, index: usize) -> ShapeSet {
+        ShapeSet(1 << ((self.starts[kind] + index / self.run) % 64))
     }
 }

@@ -3,7 +3,7 @@ use crate::accel::Scene;
 use crate::material::Material;
 use crate::number::sweep::Sweep;
 use crate::ray::ScaledRay;
-use crate::scene::access::SceneAccess;
+use crate::scene::access::{SceneAccess, ShapeId};
 use crate::scene::query::occluded;
 use crate::scene::shape_set::ShapeSet;
 use crate::scene::{Room, RuntimeScene};
