@@ -11,7 +11,7 @@ use super::screen_axis::widened;
 use crate::light::PreparedLight;
 use crate::number::{difference_modulo_2_32, offset_modulo_2_32, to_u32};
 use crate::scene::Parts;
-use crate::scene::shape_set::ShapeSet;
+use crate::scene::shape_set::{SetLayout, ShapeSet};
 use crate::vector::{Direction, Point};
 
 /// Number of parts of the range of one coordinate.
@@ -92,11 +92,12 @@ const fn range(light: Point, parts: &Parts<'_>, axis: usize) -> (i32, i32) {
 
 /// Returns one coordinate of the directions from a light: its range in parts, and the shapes that each part can hit.
 const fn coordinate(light: Point, parts: &Parts<'_>, axis: usize) -> Coordinate {
+    let layout = SetLayout::new(parts.lengths());
     let mut found = Coordinate::new(range(light, parts, axis));
     let mut number = 0;
     while let Some((ball, shape)) = parts.link(number) {
         let own = ball_range(light, ball, axis);
-        found.add(own, parts.set_of(shape));
+        found.add(own, layout.set_of(shape));
         number += 1;
     }
     found

@@ -10,7 +10,7 @@ use super::cap::{Cap, SIDE, cell, cell_of, cells_between};
 use crate::number::{Unit, signed, to_u8, to_u32};
 use crate::qualities::Quality;
 use crate::ray::ScaledPoint;
-use crate::scene::shape_set::ShapeSet;
+use crate::scene::shape_set::{SetLayout, ShapeSet};
 use crate::scene::{FEW, Parts};
 use crate::shape::rays::Spread;
 use crate::vector::{Direction, Vector};
@@ -164,11 +164,12 @@ impl LightTable {
         if !light.is_near() {
             return Self::ALL;
         }
+        let layout = SetLayout::new(parts.lengths());
         // A shape that moves may be anywhere.
         let mut cells = CellSets([parts.moving; CELLS]);
         let mut number = 0;
         while let Some(((center, radius), shape)) = parts.link(number) {
-            cells.add_ball(light.point.to(center), radius, parts.set_of(shape));
+            cells.add_ball(light.point.to(center), radius, layout.set_of(shape));
             number += 1;
         }
         Self::of(&cells)

@@ -14,7 +14,7 @@ use crate::qualities::Quality;
 use crate::ray::ScaledPoint;
 use crate::scene::FEW;
 use crate::scene::access::SceneAccess;
-use crate::scene::shape_set::ShapeSet;
+use crate::scene::shape_set::{SetLayout, ShapeSet};
 use crate::vector::{Point, Vector};
 
 /// Returns the bounded shapes that the rays of a camera at `from` through a row can hit. Returns all shapes
@@ -37,6 +37,7 @@ pub(crate) fn row_list<W: SceneAccess, Q: Quality>(
 fn found<W: SceneAccess>(world: &W, eye: Point, directions: &RowDirections) -> ShapeSet {
     let (normal, length) = directions.plane();
     let parts = world.parts();
+    let layout = SetLayout::new(parts.lengths());
     let mut set = ShapeSet::NONE;
     let mut number = 0;
     while let Some(((center, radius), _)) = parts.ball(number) {
@@ -44,7 +45,7 @@ fn found<W: SceneAccess>(world: &W, eye: Point, directions: &RowDirections) -> S
         let height = wide(way.x, normal.x) + wide(way.y, normal.y) + wide(way.z, normal.z);
         let rounding = 16 * u64::from(length_bound(way) + unsigned(radius));
         if height.unsigned_abs() <= unsigned_wide(wide(radius, length)) + rounding {
-            set = set.with(parts.set_of(number));
+            set = set.with(layout.set_of(number));
         }
         number += 1;
     }

@@ -218,13 +218,13 @@ impl<'a, K: Bordered, V: Storage<ActiveShape<'a, K>>> ActiveList<'a, K, V> {
     /// Returns the first and the last column in which rays can hit a shape. `None` if it is not active, or of another
     /// kind.
     fn columns_of(&self, kind: ShapeKind, shape: ShapeId) -> Option<[u32; 2]> {
-        let index = kind.index_of(shape)?;
         let mut active = self.active.as_ref().iter();
-        let found = active.find(|it| usize::from(it.index) == index)?;
+        let found = active.find(|it| kind.id(it.index.into()) == shape)?;
         Some([found.span.first.into(), found.span.last.into()])
     }
 
-    /// Tests whether no shape of this kind comes to the front in a stretch. If one may, returns a border of it as [`ActiveLists::keep`] does.
+    /// Tests whether no shape of this kind comes to the front in a stretch. If one may, returns one of its borders, as
+    /// [`ActiveLists::keep`] does.
     #[inline(always)]
     fn keeps<W: SceneAccess>(
         &self,

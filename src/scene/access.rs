@@ -116,17 +116,16 @@ macro_rules! parts {
 
             /// Returns a ball around a part of a shape, and the shape's number. `number` counts the balls of all shapes.
             pub(crate) const fn link(&self, number: usize) -> Option<((Point, i32), usize)> {
-                let first = 0;
+                let [$($list),*] = self.kinds();
                 $(
                     let links = crate::shape::$prepared::LINKS;
                     if number < links * self.$list.len() {
                         let ball = self.$list[number / links].link(number % links);
-                        return Some((ball, first + number / links));
+                        return Some((ball, $list.id(number / links).index()));
                     }
                     let number = number - links * self.$list.len();
-                    let first = first + self.$list.len();
                 )*
-                let _ = (number, first);
+                let _ = number;
                 None
             }
 

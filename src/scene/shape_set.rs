@@ -50,12 +50,11 @@ impl ShapeSet {
         shapes: &'a [T],
         mut call: impl FnMut(usize, &'a T),
     ) {
-        let layout = SetLayout::new(kind.lengths);
-        let mut rest = self.bits(&layout, kind.place);
+        let (mut rest, run_length) = (self.bits(kind), kind.layout.run);
         while rest != 0 {
-            let run = rest.trailing_zeros() as usize * layout.run;
+            let run = rest.trailing_zeros() as usize * run_length;
             rest &= rest - 1;
-            for index in run..run + layout.run {
+            for index in run..run + run_length {
                 if let Some(shape) = shapes.get(index) {
                     call(index, shape);
                 }
@@ -65,8 +64,8 @@ impl ShapeSet {
 
     /// Returns the bits of the shapes of one kind, from the lowest bit on.
     #[inline(always)]
-    fn bits(&self, layout: &SetLayout, kind: usize) -> u64 {
-        let (start, end) = (layout.starts[kind], layout.starts[kind + 1]);
+    fn bits(&self, ShapeKind { place, layout, .. }: ShapeKind) -> u64 {
+        let (start, end) = (layout.starts[place], layout.starts[place + 1]);
         let all = if layout.starts[KINDS] <= 32 { low_word(self.0).into() } else { self.0 };
         let after = 1_u64.checked_shl(to_u32(end - start));
         all.checked_shr(to_u32(start)).unwrap_or(0) & after.map_or(u64::MAX, |after| after - 1)
@@ -94,14 +93,13 @@ impl ShapeSet {
             }
             return false;
         }
-        let layout = SetLayout::new(kind.lengths);
-        let bits = self.bits(&layout, kind.place);
+        let (bits, run_length) = (self.bits(kind), kind.layout.run);
         for (mut rest, first) in [(low_word(bits), 0), (low_word(bits >> 32), 32)] {
             while rest != 0 {
                 let run = first + rest.trailing_zeros() as usize;
                 rest &= rest - 1;
                 // The last run of a kind may have indices past the last shape.
-                for index in run * layout.run..(run + 1) * layout.run {
+                for index in run * run_length..(run + 1) * run_length {
                     if let Some(shape) = shapes.get(index) {
                         if ask(index, shape) {
                             return true;
@@ -114,46 +112,41 @@ impl ShapeSet {
     }
 }
 
-/// A bounded kind of shapes among all kinds of a scene.
+/// A kind of bounded shapes: which numbers its shapes have among all of a scene, and which bits in a set.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct ShapeKind {
     /// Its place in the list of kinds.
     place: usize,
     /// Number of its first shape.
     first: usize,
-    /// Numbers of shapes of all kinds.
-    lengths: [usize; KINDS],
+    /// The bits of all kinds.
+    layout: SetLayout,
 }
 
 impl ShapeKind {
-    /// Returns the number of a shape. `index` counts the shapes of this kind.
+    /// Returns the number that a shape has among all. `index` counts the shapes of this kind.
     #[inline(always)]
     pub(crate) const fn id(self, index: usize) -> ShapeId {
         ShapeId::at(self.first + index)
     }
 
-    /// Returns the index of the shape with this number among the shapes of this kind, if it does not come before them.
-    pub(crate) fn index_of(self, shape: ShapeId) -> Option<usize> {
-        shape.index().checked_sub(self.first)
-    }
-
-    /// Returns the set that holds a shape. `index` counts the shapes of this kind.
+    /// Returns the set of the run that holds a shape. `index` counts the shapes of this kind.
     #[inline(always)]
     pub(crate) const fn set_of(self, index: usize) -> ShapeSet {
-        SetLayout::new(self.lengths).set_of(self.place, index)
+        self.layout.set_in(self.place, index)
     }
 }
 
 macro_rules! shape_kinds {
     ($header:tt $({ $list:ident $($more:tt)* })*) => {
         impl Parts<'_> {
-            /// Returns the bounded kinds, in the order of their list.
+            /// Returns the kinds of bounded shapes, in the order in which shapes are numbered.
             #[inline(always)]
             pub(crate) const fn kinds(&self) -> [ShapeKind; KINDS] {
-                let lengths = self.lengths();
+                let layout = SetLayout::new(self.lengths());
                 let (place, first) = (0, 0);
                 $(
-                    let $list = ShapeKind { place, first, lengths };
+                    let $list = ShapeKind { place, first, layout };
                     let (place, first) = (place + 1, first + self.$list.len());
                 )*
                 let _ = (place, first);
@@ -164,24 +157,12 @@ macro_rules! shape_kinds {
 }
 kinds!(shape_kinds);
 
-impl Parts<'_> {
-    /// Returns the set that holds the bounded shape with this number.
-    #[inline(always)]
-    pub(crate) const fn set_of(&self, number: usize) -> ShapeSet {
-        let lengths = self.lengths();
-        let (mut kind, mut index) = (0, number);
-        while kind + 1 < KINDS && index >= lengths[kind] {
-            index -= lengths[kind];
-            kind += 1;
-        }
-        SetLayout::new(lengths).set_of(kind, index)
-    }
-}
-
 /// Assigns bits of a [`ShapeSet`] to the shapes of a scene: kind after kind from the lowest bit on.
 /// Each bit stands for the same number of shapes.
 #[derive(Clone, Copy, Debug)]
-struct SetLayout {
+pub(crate) struct SetLayout {
+    /// Number of shapes of each kind.
+    lengths: [usize; KINDS],
     /// Number of consecutive shapes that one bit stands for.
     run: usize,
     /// First bit of each kind, then the bit after the last.
@@ -191,7 +172,7 @@ struct SetLayout {
 impl SetLayout {
     /// Returns the layout of a scene with these numbers of shapes of each kind.
     #[inline(always)]
-    const fn new(lengths: [usize; KINDS]) -> Self {
+    pub(crate) const fn new(lengths: [usize; KINDS]) -> Self {
         let (mut total, mut kind) = (0, 0);
         while kind < KINDS {
             total += lengths[kind];
@@ -205,11 +186,25 @@ impl SetLayout {
             starts[kind + 1] = starts[kind] + lengths[kind].div_ceil(run);
             kind += 1;
         }
-        Self { run, starts }
+        Self {
+            lengths,
+            run,
+            starts,
+        }
     }
 
     /// Returns the set of the run that holds a shape. `index` counts the shapes of its kind.
-    const fn set_of(self, kind: usize, index: usize) -> ShapeSet {
+    const fn set_in(self, kind: usize, index: usize) -> ShapeSet {
         ShapeSet(1 << ((self.starts[kind] + index / self.run) % 64))
+    }
+
+    /// Returns the set of the run that holds the bounded shape with this number.
+    pub(crate) const fn set_of(self, number: usize) -> ShapeSet {
+        let (mut kind, mut index) = (0, number);
+        while kind + 1 < KINDS && index >= self.lengths[kind] {
+            index -= self.lengths[kind];
+            kind += 1;
+        }
+        self.set_in(kind, index)
     }
 }

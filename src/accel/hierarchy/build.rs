@@ -9,6 +9,7 @@ use super::{Hierarchy, HierarchyNode};
 use crate::number::{square_root, to_u16, to_u32, unsigned_wide, wide};
 use crate::ray::BALL;
 use crate::scene::Parts;
+use crate::scene::shape_set::SetLayout;
 use crate::vector::Point;
 
 /// Largest number of bounded shapes without a hierarchy. To test all of so few takes no longer.
@@ -147,9 +148,9 @@ const fn shape_at(nodes: &[HierarchyNode], place: usize) -> u16 {
 
 /// Returns the widened ball of a shape. A shape that moves may be anywhere.
 const fn ball(parts: &Parts<'_>, shape: u16) -> (Point, i32) {
-    let shape = shape as usize;
-    let (center, radius) = match parts.ball(shape) {
-        Some((ball, _)) if !parts.moving.meets(parts.set_of(shape)) => ball,
+    let set = SetLayout::new(parts.lengths()).set_of(shape as usize);
+    let (center, radius) = match parts.ball(shape as usize) {
+        Some((ball, _)) if !parts.moving.meets(set) => ball,
         _ => (Point::ORIGIN, BALL),
     };
     let square = unsigned_wide(wide(radius, radius)) + UNSURE;

@@ -9,23 +9,23 @@
 
 use std::{vec, vec::Vec};
 
-use super::{Stage, Vector, largest};
+use super::{Ending, Stage, Vector, largest};
 
 /// Length of the shortest part of which it is found out what lies between; of a block of 8, it is half the block.
 /// Halves of a part are shorter.
 const SHORTEST: usize = 8;
 
-/// Returns, for each length of a part up to a block's and each column of a row that it starts in, a bound of the difference
-/// between a combination of colours in exact numbers and in fixed point: eight times the largest rounding error of
-/// the colours from one length before the part to one length after it.
+/// Returns `slacks[length][start]` for all parts of a row up to the length of a block: a bound of the difference between a
+/// combination of the part's colours in exact numbers and in fixed point. It is eight times the largest rounding error
+/// of the columns from one length before the part to one length after it, and 2⁻¹⁶.
 pub(super) fn slacks(row: &[&Stage], block: usize) -> Vec<Vec<f64>> {
-    let rounding = |column: usize| 8.0 * row[column.min(row.len() - 1)].rounding;
-    let mut slacks = vec![(0..row.len()).map(rounding).collect::<Vec<_>>()];
+    let slack = |column: usize| 8.0 * row[column.min(row.len() - 1)].rounding + f64::exp2(-16.0);
+    let mut slacks = vec![(0..row.len()).map(slack).collect::<Vec<_>>()];
     for length in 1..=block {
-        // What a shorter part has around it, and the columns that a longer one adds.
+        // The columns around a part that is one column shorter, and the three that are added.
         let widened = slacks[length - 1].iter().enumerate().map(|(start, most)| {
             let end = start + 2 * length;
-            let added = [start.saturating_sub(length), end - 1, end].map(rounding);
+            let added = [start.saturating_sub(length), end - 1, end].map(slack);
             added.into_iter().fold(*most, f64::max)
         });
         slacks.push(widened.collect());
@@ -38,9 +38,9 @@ pub(super) fn slacks(row: &[&Stage], block: usize) -> Vec<Vec<f64>> {
 pub(super) fn error(
     (row, slacks): (&[&Stage], &[Vec<f64>]),
     x: usize,
-    block: usize,
-    tolerance: f64,
+    ending: &Ending,
 ) -> (f64, bool) {
+    let block = ending.block as usize;
     let start = x - x % block.max(1);
     let end = (start + block).min(row.len() - 1);
     // Both ends of a block are traced.
@@ -65,7 +65,7 @@ pub(super) fn error(
                 x,
                 start,
                 length: end - start,
-                tolerance,
+                tolerance: ending.tolerance,
                 expected: None,
             };
             worst = worst.max(part.worst());
@@ -163,9 +163,9 @@ impl Part<'_> {
         }
     }
 
-    /// Returns the slack of the part, as [`slacks`] defines it, and 2⁻¹⁶ for the combination.
+    /// Returns by how much rounding may move a combination of the part's colours; see [`slacks`].
     fn slack(&self) -> f64 {
-        self.slacks[self.length][self.start] + f64::exp2(-16.0)
+        self.slacks[self.length][self.start]
     }
 
     /// Tests whether fixed point may take `difference` for at most `tolerances` times the tolerance. It

@@ -218,9 +218,9 @@ impl Paths {
         path.ended(ending.reflections, ending.smallest_weight * self.dimness)
     }
 
-    fn bound(&self, row: (&[&Stage], &[Vec<f64>]), x: usize, ending: &Ending) -> Bound {
-        let own = row.0[x];
-        let (between, is_unsure) = between::error(row, x, ending.block as usize, ending.tolerance);
+    fn bound(&self, (row, slacks): (&[&Stage], &[Vec<f64>]), x: usize, ending: &Ending) -> Bound {
+        let own = row[x];
+        let (between, is_unsure) = between::error((row, slacks), x, ending);
         Bound {
             truncation: own.weight * self.brightest,
             rounding: own.rounding,
